@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 use std::sync::{Arc, OnceLock};
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
-use toytop_host::motion::ephemeris::ephemeris_for;
+use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
@@ -61,7 +61,7 @@ impl MotionCore {
     /// `ValueError`: no table in this scalar is large enough.
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<SharedEphemeris> {
         let set_up = || {
-            let table = ephemeris_for(scalar, &self.motion);
+            let table = MotionEphemeris::new(&self.motion, scalar);
             table.map(Arc::new).map_err(|failure| failure.to_string())
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();

@@ -2,22 +2,23 @@
 
 mod events;
 
+mod source;
+
 mod aperiodic;
 mod heap_table;
 
-mod capacities;
-
-pub use capacities::{ephemeris_for, ephemeris_with};
 pub use events::{EventKind, EventQuery, MotionEvent};
-pub use heap_table::{HeapScalar, HeapTable};
+pub use heap_table::{HeapTable, SEGMENTS};
 
+use crate::Failure;
+use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
-use crate::motion::sample::{Quantities, Sample};
-use aperiodic::ClosedFormEvaluator;
-use events::Condition;
+use crate::motion::sample::{Sample, SampleQuantities};
+use aperiodic::ClosedFormSource;
 use fixed::types::{I2F14, I2F30};
-use toytop::{ErrorBound, Motion, ParameterError, Pose};
-use toytop_model::motion_constants::MAX_TICKS;
+use source::MotionSource;
+use toytop::{ErrorBound, Motion, ParameterError, Pose, Regime, TableScalar, TableSettings, Tick};
+use toytop_model::motion_constants::{MAX_TICKS, MotionConstants};
 
 /// Ephemeris of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
 pub struct MotionEphemeris {
@@ -31,40 +32,74 @@ pub struct MotionEphemeris {
     pub error_bound: ErrorBound,
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     pub rate_error_bound: ErrorBound,
-    evaluator: Evaluator,
+    source: Box<dyn MotionSource>,
 }
 
-/// Table in a scalar, or closed form, that computes samples and events.
-enum Evaluator {
-    F64(HeapTable<f64>),
-    F32(HeapTable<f32>),
-    Q31(HeapTable<I2F30>),
-    Q15(HeapTable<I2F14>),
-    ClosedForm(Box<ClosedFormEvaluator>),
+/// Settings of an ephemeris. A scalar stands for its default settings.
+#[derive(Clone, Copy)]
+pub struct EphemerisSettings {
+    /// Scalar type of the core.
+    pub scalar: Scalar,
+    /// Length of a tick; by default [`MotionConstants::tick`].
+    pub tick: Option<Tick>,
+    /// Greatest truncation error of a table, rad; by default [`TableScalar::TRUNCATION`].
+    pub truncation: Option<f64>,
+}
+
+impl From<Scalar> for EphemerisSettings {
+    fn from(scalar: Scalar) -> Self {
+        Self { scalar, tick: None, truncation: None }
+    }
 }
 
 impl MotionEphemeris {
-    fn from_table<R: HeapScalar>(heap: HeapTable<R>, evaluator: fn(HeapTable<R>) -> Evaluator) -> Self {
-        let table = heap.table();
+    /// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, which has no truncation error.
+    ///
+    /// # Errors
+    /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
+    pub fn new(motion: &Motion, settings: impl Into<EphemerisSettings>) -> Result<Self, Failure> {
+        let EphemerisSettings { scalar, tick, truncation } = settings.into();
+        let constants = MotionConstants::new(*motion);
+        if motion.regime() == Regime::Aperiodic {
+            let form = ClosedFormSource::new(&constants).filter(|_| scalar == Scalar::F64);
+            let reason = "an aperiodic motion has a closed form in f64, and no table";
+            return form.map(Self::from_closed_form).ok_or_else(|| Failure::Method(reason.to_owned()));
+        }
+        let tick = tick.unwrap_or_else(|| constants.tick());
+        let settings = TableSettings { truncation, ..TableSettings::new(tick) };
+        match scalar {
+            Scalar::F64 => Self::from_table::<f64>(motion, &settings),
+            Scalar::F32 => Self::from_table::<f32>(motion, &settings),
+            Scalar::Q31 => Self::from_table::<I2F30>(motion, &settings),
+            Scalar::Q15 => Self::from_table::<I2F14>(motion, &settings),
+        }
+    }
+
+    fn from_table<R: TableScalar>(motion: &Motion, settings: &TableSettings) -> Result<Self, Failure>
+    where
+        HeapTable<R>: MotionSource,
+    {
+        let source = HeapTable::new(motion, settings, SEGMENTS)?;
+        let table = source.table();
         let [ticks_per_time, _] = table.clock().ticks_per_time;
-        Self {
+        Ok(Self {
             segments: table.capacity(),
             terms: R::TERMS,
             ticks_per_time,
             error_bound: table.error_bound(),
             rate_error_bound: table.rate_error_bound(),
-            evaluator: evaluator(heap),
-        }
+            source: Box::new(source),
+        })
     }
 
-    fn from_closed_form(form: ClosedFormEvaluator) -> Self {
+    fn from_closed_form(form: ClosedFormSource) -> Self {
         Self {
             segments: 0,
             terms: 0,
-            ticks_per_time: form.ticks_per_time(),
-            error_bound: form.error_bound(),
+            ticks_per_time: form.motion.ticks_per_time,
+            error_bound: form.motion.error_bound(),
             rate_error_bound: form.rate_error_bound(),
-            evaluator: Evaluator::ClosedForm(Box::new(form)),
+            source: Box::new(form),
         }
     }
 
@@ -91,32 +126,15 @@ impl MotionEphemeris {
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
         for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-            self.read(*t, None, |now| column.write(now, row));
+            self.source.read(*t, None, &mut |now| column.write(now, row));
         }
     }
 
-    /// Result of `read` for the motion at the time t, taken as exact.
-    ///
-    /// * `tick`: number of the tick at this time, if it is one
-    fn read<T>(&self, t: f64, tick: Option<i64>, read: impl FnOnce(&dyn Quantities) -> T) -> T {
-        match &self.evaluator {
-            Evaluator::F64(table) => read(&table.at(t, tick)),
-            Evaluator::F32(table) => read(&table.at(t, tick)),
-            Evaluator::Q31(table) => read(&table.at(t, tick)),
-            Evaluator::Q15(table) => read(&table.at(t, tick)),
-            Evaluator::ClosedForm(form) => read(&form.at(t)),
-        }
-    }
-
-    /// First events at which a condition holds, of those that the query includes.
-    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
-        match &self.evaluator {
-            Evaluator::F64(table) => table.events(condition, query),
-            Evaluator::F32(table) => table.events(condition, query),
-            Evaluator::Q31(table) => table.events(condition, query),
-            Evaluator::Q15(table) => table.events(condition, query),
-            Evaluator::ClosedForm(form) => form.events(condition, query),
-        }
+    /// Result of a function of the motion: see [`MotionSource::read`].
+    fn read<T>(&self, t: f64, tick: Option<i64>, of: fn(&dyn SampleQuantities) -> T) -> T {
+        let mut result = None;
+        self.source.read(t, tick, &mut |now| result = Some(of(now)));
+        result.expect("a source calls the function")
     }
 }
 
@@ -130,7 +148,8 @@ pub fn search(
     query: &EventQuery,
 ) -> Result<Vec<MotionEvent>, ParameterError> {
     let conditions = query.kind.conditions(motion)?.into_iter();
-    let mut events: Vec<_> = conditions.flat_map(|condition| ephemeris.events(condition, query)).collect();
+    let mut events: Vec<_> =
+        conditions.flat_map(|condition| ephemeris.source.events(condition, query)).collect();
     events.sort_by(|a, b| a.t.total_cmp(&b.t));
     events.truncate(query.count);
     Ok(events)
@@ -138,10 +157,10 @@ pub fn search(
 
 #[cfg(test)]
 mod tests {
-    use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
-    use toytop_model::motion_constants::MotionConstants;
+    use super::*;
+    use toytop::{InitialAngles, Signs, Top, TopParameters};
 
-    pub(super) fn motion(a: f64, e: [f64; 3]) -> Motion {
+    fn motion(a: f64, e: [f64; 3]) -> Motion {
         let top = Top::sliding(&TopParameters {
             transverse_inertia: a,
             axial_inertia: 0.8 * a,
@@ -164,5 +183,44 @@ mod tests {
             assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
             assert!(constants.furthest_time() / period >= 1e10);
         }
+    }
+
+    #[test]
+    fn an_aperiodic_motion_has_a_closed_form_in_f64_alone() {
+        let motion = motion(1.0, [0.2, 1.0, 1.0]);
+        assert_eq!(MotionEphemeris::new(&motion, Scalar::F64).unwrap().segments, 0);
+        for scalar in [Scalar::F32, Scalar::Q31, Scalar::Q15] {
+            let refusal = MotionEphemeris::new(&motion, scalar).err().unwrap().to_string();
+            assert_eq!(refusal, "an aperiodic motion has a closed form in f64, and no table");
+        }
+    }
+
+    /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
+    fn sizes_chosen<R: TableScalar>(scalar: Scalar, motions: &[Motion]) -> Vec<usize> {
+        let chosen = |motion: &Motion| {
+            let table = MotionEphemeris::new(motion, scalar).unwrap();
+            let settings = TableSettings::new(MotionConstants::new(*motion).tick());
+            for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < table.segments) {
+                let refused = HeapTable::<R>::new(motion, &settings, segments..=segments).is_err();
+                assert!(refused, "{segments} segments would do");
+            }
+            table.segments
+        };
+        let mut sizes: Vec<_> = motions.iter().map(chosen).collect();
+        sizes.sort_unstable();
+        sizes.dedup();
+        sizes
+    }
+
+    #[test]
+    fn the_smallest_that_fits() {
+        let mut motions = vec![motion(1.0, [0.5, 0.5, 2.0])];
+        for exponent in 0..13 {
+            let small = 2_f64.powi(-exponent);
+            motions.push(motion(1.0, [-0.5, 1.0 - 0.2 * small, 1.0 + 0.2 * small * small]));
+            motions.push(motion(small, [-0.99, 0.999, 1.02]));
+        }
+        assert_eq!(sizes_chosen::<f64>(Scalar::F64, &motions).first(), Some(&8));
+        assert!(sizes_chosen::<f32>(Scalar::F32, &motions).len() > 4);
     }
 }

@@ -7,7 +7,7 @@ use toytop_model::equations::Rates;
 
 /// Motion at one time: each quantity is computed when it is asked for. The fields of [`Sample`] describe them.
 #[expect(missing_docs)]
-pub trait Quantities {
+pub trait SampleQuantities {
     fn t(&self) -> f64;
     fn pose(&self) -> Pose<f64, f64>;
     fn omega(&self) -> [f64; 3];
@@ -32,7 +32,7 @@ pub struct Sample {
     pub error_bound: Option<f64>,
 }
 
-impl Quantities for Sample {
+impl SampleQuantities for Sample {
     fn t(&self) -> f64 {
         self.t
     }
@@ -64,7 +64,7 @@ impl Quantities for Sample {
 
 impl Sample {
     /// Sample with all quantities.
-    pub fn new(now: &dyn Quantities) -> Self {
+    pub fn new(now: &dyn SampleQuantities) -> Self {
         let rates = Rates { omega: now.omega(), omega_body: now.omega_body(), udot: now.udot() };
         let (tip_angle, error_bound) = (now.tip_angle(), now.error_bound());
         Self { t: now.t(), pose: now.pose(), rates, tip_angle, error_bound }

@@ -1,7 +1,7 @@
 //! Tip angle for methods without one: arg(αβ), with whole turns from the ephemeris.
 
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
+use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::sample::Sample;
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Pose, TipClass};
@@ -23,7 +23,8 @@ pub struct TipAngle {
 impl TipAngle {
     /// Tip angle of a motion. Samples have none where there is no ephemeris.
     pub fn new(motion: &Motion) -> Self {
-        let ephemeris = ephemeris_for(Scalar::F64, motion).ok().filter(|_| !motion.regime().is_vertical());
+        let ephemeris =
+            MotionEphemeris::new(motion, Scalar::F64).ok().filter(|_| !motion.regime().is_vertical());
         let signed = matches!(motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);
         let scale = motion.top().tip_scale();
         Self { ephemeris, scale, period: if signed { PI } else { 2.0 * PI } }

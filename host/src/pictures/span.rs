@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::input::require_within;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
+use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::sample::Sample;
 use crate::output::significant;
 use toytop::Motion;
@@ -34,7 +34,7 @@ impl MotionSpan {
     /// [`Failure::Input`]: times beyond the reach of the ephemeris, or too many cycles. [`Failure::Method`]: no ephemeris is large
     /// enough.
     pub fn new(motion: &Motion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
-        let table = ephemeris_for(Scalar::F64, motion)?;
+        let table = MotionEphemeris::new(motion, Scalar::F64)?;
         require_within(times.into_iter().flatten(), table.furthest_time(), " s")?;
         let constants = MotionConstants::new(*motion);
         let (regime, cycle) = (motion.regime(), cycle(&constants));

@@ -5,7 +5,7 @@ use super::trajectory::{Trajectory, TrajectoryRow};
 use crate::Failure;
 use crate::input::require_within;
 use crate::input::scenario::Scenario;
-use crate::motion::ephemeris::{MotionEphemeris, ephemeris_for};
+use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::errors::{distance, drift, greater_or_infinite};
 use crate::motion::{MotionConstants, Scalar};
 use serde::Serialize;
@@ -62,8 +62,8 @@ impl<'a> Scorer<'a> {
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(scenario: &'a Scenario, start: &str) -> Result<Self, Failure> {
         let motion = &scenario.motion;
-        let table =
-            ephemeris_for(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
+        let table = MotionEphemeris::new(motion, Scalar::F64)
+            .map_err(|failure| failure.with_context(&scenario.name))?;
         Ok(Self { motion, table, start: start.to_owned() })
     }
 

@@ -15,7 +15,7 @@ use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, Scenario};
-use toytop_host::motion::ephemeris::ephemeris_for;
+use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::Errors;
 use toytop_host::motion::{MotionConstants, Scalar};
 use toytop_host::output::{self, Format};
@@ -149,7 +149,7 @@ fn input_of(scenario: &Scenario) -> Option<MotionInput> {
 fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = input.motion().map_err(|error| Failure::Input(format!("{input:?}: {error}")))?;
     let tables =
-        scalars.iter().map(|&scalar| ephemeris_for(scalar, &motion)).collect::<Result<Vec<_>, _>>()?;
+        scalars.iter().map(|&scalar| MotionEphemeris::new(&motion, scalar)).collect::<Result<Vec<_>, _>>()?;
     let truth = Quadrature::new(input);
     let rate = MotionConstants::new(motion).ticks_per_time();
     let mut random = Random::new(1, 0);

@@ -9,7 +9,7 @@ use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::ephemeris_for;
+use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::output::{self, Format, value_text};
 use toytop_host::score::trajectory::to_symmetry_axis;
 
@@ -140,7 +140,7 @@ fn reference_row(sample: &ReferenceSample) -> BenchmarkRow {
 fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<BenchmarkRow>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::parse(times)?;
-    let table = ephemeris_for(Scalar::F64, &scenario.motion)
+    let table = MotionEphemeris::new(&scenario.motion, Scalar::F64)
         .map_err(|failure| failure.with_context(&scenario.name))?;
     times.require_within(table.furthest_time(), "")?;
     let row = |t: &f64| {

@@ -18,11 +18,11 @@ use clap::{Args, ValueEnum};
 use fixed::types::{I2F14, I2F30};
 use rust::module;
 use std::path::PathBuf;
-use toytop::{ErrorBound, Table, Tick};
+use toytop::{ErrorBound, Table, TableScalar, TableSettings, Tick};
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{HeapScalar, HeapTable};
+use toytop_host::motion::ephemeris::{HeapTable, SEGMENTS};
 
 /// Table of a motion as a constant for firmware: Rust or C
 ///
@@ -71,12 +71,14 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     let title = TableTitle {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
+        scalar: arguments.scalar,
     };
+    // by default the sizes of `TableF64`, `TableF32`, `TableQ31` and `TableQ15`
     let [text, summary] = match arguments.scalar {
-        Scalar::F64 => baked::<f64>(arguments, &scenario, tick, &title),
-        Scalar::F32 => baked::<f32>(arguments, &scenario, tick, &title),
-        Scalar::Q31 => baked::<I2F30>(arguments, &scenario, tick, &title),
-        Scalar::Q15 => baked::<I2F14>(arguments, &scenario, tick, &title),
+        Scalar::F64 => baked(arguments, &scenario, tick, &title, 48, Table::<f64>::crc32),
+        Scalar::F32 => baked(arguments, &scenario, tick, &title, 25, Table::<f32>::crc32),
+        Scalar::Q31 => baked(arguments, &scenario, tick, &title, 32, Table::<I2F30>::crc32),
+        Scalar::Q15 => baked(arguments, &scenario, tick, &title, 16, Table::<I2F14>::crc32),
     }
     .map_err(|failure| failure.with_motion_name(&scenario.name))?;
     stdout::write_or_file(arguments.output.as_deref(), |out| out.write_all(text.as_bytes()))?;
@@ -84,18 +86,23 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
 }
 
 /// Text of the file, and the line that states the scalar, the size and the error bound of the table in it.
-fn baked<R: HeapScalar>(
+///
+/// * `least`: default of `--segments`
+fn baked<R: TableScalar<Coefficient: Into<f64>>>(
     arguments: &BakeArgs,
     scenario: &Scenario,
     tick: Tick,
     title: &TableTitle,
+    least: u32,
+    crc32: fn(&Table<R>) -> u32,
 ) -> Result<[String; 2], Failure> {
-    let table = HeapTable::<R>::with_segments(&scenario.motion, tick, arguments.segments)
+    let segments = arguments.segments.map_or(least..=*SEGMENTS.end(), |segments| segments..=segments);
+    let table = HeapTable::new(&scenario.motion, &TableSettings::new(tick), segments)
         .map_err(|failure| failure.with_option("--segments"))?;
     let table = table.table();
     let text = match arguments.lang {
-        Language::Rust => module(title, table),
-        Language::C => header(title, table),
+        Language::Rust => module(title, table, crc32(table)),
+        Language::C => header(title, table, crc32(table)),
     };
     let ErrorBound { constant, per_tick } = table.error_bound();
     let summary = format!(
@@ -103,7 +110,7 @@ fn baked<R: HeapScalar>(
         title.name,
         table.capacity(),
         R::TERMS,
-        R::SCALAR.name(),
+        title.scalar.name(),
         size_of_val(table.segments()),
         title.tick,
     );
@@ -116,6 +123,8 @@ pub struct TableTitle {
     pub name: String,
     /// Length of a tick, as text.
     pub tick: String,
+    /// Scalar type.
+    pub scalar: Scalar,
 }
 
 impl TableTitle {
@@ -147,7 +156,7 @@ impl TableTitle {
     }
 
     /// Name and properties of the table for a comment, without characters that could end the comment.
-    fn headline<R: HeapScalar>(&self, table: &Table<R>) -> String {
+    fn headline<R: TableScalar>(&self, table: &Table<R>) -> String {
         let printable = |c: &char| !c.is_control() && !['*', '/', '\\'].contains(c);
         let name: String = self.name.chars().filter(printable).collect();
         let ErrorBound { constant, per_tick } = table.error_bound();
@@ -156,7 +165,7 @@ impl TableTitle {
             self.tick,
             table.capacity(),
             R::TERMS,
-            R::SCALAR.name(),
+            self.scalar.name(),
         )
     }
 }
@@ -167,7 +176,8 @@ mod tests {
 
     #[test]
     fn every_name_becomes_an_unused_identifier() {
-        let named = |name: &str| TableTitle { name: name.to_owned(), tick: String::new() };
+        let named =
+            |name: &str| TableTitle { name: name.to_owned(), tick: String::new(), scalar: Scalar::F32 };
         for (name, identifier, c_name) in [
             ("int", "int", "top_int"),
             ("Clock", "clock", "top_clock"),

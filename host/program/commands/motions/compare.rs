@@ -19,7 +19,7 @@ use toytop::scalar::Real;
 use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::ephemeris::ephemeris_for;
+use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::Errors;
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::Sample;
@@ -239,7 +239,7 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Propa
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<PropagatorRun, Failure> {
-    let table = ephemeris_for(scalar, motion)?;
+    let table = MotionEphemeris::new(motion, scalar)?;
     let (samples, ns) = timed_samples(times, |t| table.at(t));
     let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time);
     let table_bound = Some(table.error_bound.after(ticks));

@@ -12,7 +12,7 @@ use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::input::{finite, require_within};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEvent, ephemeris_for, search};
+use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEphemeris, MotionEvent, search};
 use toytop_host::motion::sample::Sample;
 use toytop_host::output::{self, Format, error_text, or_dash, significant, value_text};
 
@@ -87,7 +87,8 @@ fn time(text: &str) -> Result<f64, &'static str> {
 pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let (motion, from, count) = (&scenario.motion, arguments.from, arguments.count as usize);
-    let table = ephemeris_for(Scalar::F64, motion).map_err(|failure| failure.with_context(&scenario.name))?;
+    let table =
+        MotionEphemeris::new(motion, Scalar::F64).map_err(|failure| failure.with_context(&scenario.name))?;
     require_within([from], table.furthest_time(), " s").map_err(|failure| failure.with_option("--from"))?;
     let mut events = Vec::new();
     for argument in &arguments.kinds {

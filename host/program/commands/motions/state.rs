@@ -17,7 +17,7 @@ use toytop_closed_forms::ClosedForm;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::ephemeris_with;
+use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::{Sample, body_rates};
 use toytop_host::motion::stepper::{self, steps_needed};
@@ -159,7 +159,7 @@ fn ephemeris_sampler(
             Some(Tick::ratio(rate[0], rate[1]).map_err(|error| Failure::Input(format!("--hertz: {error}")))?)
         }
     };
-    let table = ephemeris_with(scalar, motion, tick, None).map_err(named)?;
+    let table = MotionEphemeris::new(motion, EphemerisSettings { tick, ..scalar.into() }).map_err(named)?;
     // every tick of 64 bits is in reach of a table
     if tick.is_some() && motion.regime() != Regime::Aperiodic {
         return Ok(Box::new(move |index| {

@@ -1,15 +1,16 @@
 //! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
 use super::events::{Condition, EventQuery, MotionEvent};
-use crate::motion::sample::{Sample, unwrapped};
+use super::source::MotionSource;
+use crate::motion::sample::{Sample, SampleQuantities, unwrapped};
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::motion_constants::{MotionConstants, natural_time};
 
 /// Closed form, with what a search for events needs.
-pub struct ClosedFormEvaluator {
-    motion: AperiodicMotion,
+pub struct ClosedFormSource {
+    pub(super) motion: AperiodicMotion,
     /// Time of the lowest point.
     lowest: f64,
     /// Time on either side of it until the axis is upright to a rounding.
@@ -23,7 +24,7 @@ const UPRIGHT: f64 = 40.0;
 /// Intervals of the search on either side of the lowest point. Each finds at most one event.
 const INTERVALS: i32 = 8192;
 
-impl ClosedFormEvaluator {
+impl ClosedFormSource {
     /// Closed form of a motion; `None` if it is not aperiodic.
     pub fn new(constants: &MotionConstants) -> Option<Self> {
         let motion = AperiodicMotion::new(constants)?;
@@ -39,16 +40,6 @@ impl ClosedFormEvaluator {
         Some(Self { motion, lowest, upright, tip_rates })
     }
 
-    /// Ticks in a unit of time, as a table would have.
-    pub fn ticks_per_time(&self) -> f64 {
-        self.motion.ticks_per_time
-    }
-
-    /// Upper bound on the orientation error, rad.
-    pub fn error_bound(&self) -> ErrorBound {
-        self.motion.error_bound()
-    }
-
     /// Bound on the error of ω, of Ω and of u', rad per unit time. It is checked by tests and not proved. The angular speed is greatest at the lowest
     /// point.
     pub fn rate_error_bound(&self) -> ErrorBound {
@@ -57,6 +48,13 @@ impl ClosedFormEvaluator {
         let speed = x.hypot(y).hypot(z);
         let constant = (1.0 + speed) * ERROR;
         ErrorBound { constant, per_tick: constant * speed / self.motion.ticks_per_time }
+    }
+
+    /// Motion at the time t.
+    fn at(&self, t: f64) -> Sample {
+        let (state, tip) = self.motion.at(t);
+        let error = self.motion.error_bound().after(t * self.motion.ticks_per_time);
+        Sample { error_bound: Some(error), ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t))) }
     }
 
     /// Tip angle, continued in time, rad.
@@ -77,16 +75,13 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
     }
 }
 
-impl ClosedFormEvaluator {
-    /// Motion at the time t.
-    pub(super) fn at(&self, t: f64) -> Sample {
-        let (state, tip) = self.motion.at(t);
-        let error = self.motion.error_bound().after(t * self.motion.ticks_per_time);
-        Sample { error_bound: Some(error), ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t))) }
+impl MotionSource for ClosedFormSource {
+    fn read(&self, t: f64, _: Option<i64>, read: &mut dyn FnMut(&dyn SampleQuantities)) {
+        read(&self.at(t));
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
-    pub(super) fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         let value = |t: f64| match condition {
             Condition::Turning => self.motion.form.v(t).clamp(-0.5, 0.5),
             Condition::Crossing(level) if level.u() < 1.0 => {

@@ -1,77 +1,93 @@
 //! Table of the core on the heap.
 
 use super::events::{Condition, EventQuery, MotionEvent};
-use crate::motion::Scalar;
-use crate::motion::sample::{Quantities, Sample, unwrapped};
-use core::f64::consts::TAU;
-use fixed::types::{I2F14, I2F30};
+use super::source::MotionSource;
+use crate::Failure;
+use crate::motion::sample::{Sample, SampleQuantities, unwrapped};
+use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
 use toytop::scalar::Float;
 use toytop::{
-    Event, Pose, SizedTable, Table, TableF32, TableF64, TableMemory, TableQ15, TableQ31, TableScalar,
+    Event, Motion, Pose, SetUpError, SizedTable, Table, TableMemory, TableScalar, TableSettings, Workspace,
 };
 
-/// Scalar of the core with its name and the capacity of its own table.
-pub trait HeapScalar:
-    TableScalar<Coefficient: Into<f64>, Segment: Send + Sync, Quantity: Send + Sync> + Send + Sync
-{
-    /// Scalar on the command line.
-    const SCALAR: Scalar;
+macro_rules! capacities {
+    ($($capacity:literal)*) => {
+        /// Numbers of segments that a table may have: powers of two, and those of the core's own types.
+        const CAPACITIES: &[u32] = &[$($capacity),*];
 
-    /// Capacity of the core's own type of table, which fits most motions.
-    const OWN_CAPACITY: Capacity<Self>;
-
-    /// Checksum of a table.
-    fn crc32(table: &Table<Self>) -> u32;
-}
-
-/// Number of segments of a table, and function that makes its memory.
-pub type Capacity<R> = (u32, fn() -> Box<TableMemory<Table<R>>>);
-
-/// Capacity of the memory of a type.
-pub(super) const fn capacity<R: HeapScalar, const SEGMENTS: usize>(
-    _: fn() -> TableMemory<SizedTable<R, SEGMENTS>>,
-) -> Capacity<R> {
-    (SEGMENTS as u32, || Box::new(TableMemory::<SizedTable<R, SEGMENTS>>::new()))
-}
-
-macro_rules! heap_scalar {
-    ($($scalar:ty: $name:ident, $table:ty;)*) => { $(
-        impl HeapScalar for $scalar {
-            const SCALAR: Scalar = Scalar::$name;
-            const OWN_CAPACITY: Capacity<Self> = capacity(TableMemory::<$table>::new);
-
-            fn crc32(table: &Table<Self>) -> u32 {
-                table.crc32()
-            }
+        /// Memory of a table with one of the [`CAPACITIES`].
+        fn memory<R: TableScalar>(capacity: u32) -> Option<Box<TableMemory<Table<R>>>> {
+            Some(match capacity {
+                $($capacity => Box::new(TableMemory::<SizedTable<R, $capacity>>::new()),)*
+                _ => return None,
+            })
         }
-    )* };
+    };
 }
 
-heap_scalar! {
-    f64: F64, TableF64;
-    f32: F32, TableF32;
-    I2F30: Q31, TableQ31;
-    I2F14: Q15, TableQ15;
-}
+capacities!(8 16 25 32 48 64 128 256 512 1024 2048 4096);
+
+/// Least and greatest number of segments.
+pub const SEGMENTS: RangeInclusive<u32> = 8..=4096;
 
 /// Table of the core on the heap, after its set-up.
-pub struct HeapTable<R: TableScalar>(pub(super) Box<TableMemory<Table<R>>>);
+pub struct HeapTable<R: TableScalar>(Box<TableMemory<Table<R>>>);
 
-impl<R: HeapScalar> HeapTable<R> {
+impl<R: TableScalar> HeapTable<R> {
+    /// Table of a motion, in the least number of segments that is enough.
+    ///
+    /// * `segments`: least and greatest number; any other is a power of two
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient number.
+    pub fn new(
+        motion: &Motion,
+        settings: &TableSettings,
+        segments: RangeInclusive<u32>,
+    ) -> Result<Self, Failure> {
+        let least = segments.start();
+        let is_allowed = |n: &&u32| *n == least || segments.contains(*n) && n.is_power_of_two();
+        let mut refusal = None;
+        for capacity in CAPACITIES.iter().filter(is_allowed) {
+            let mut memory = memory(*capacity).expect("one of the capacities");
+            match memory.set_up(&mut Workspace::new(), motion, *settings, &mut || {}) {
+                Ok(_) => return Ok(Self(memory)),
+                Err(error) => refusal = Some(error),
+            }
+        }
+        let Some(error) = refusal else {
+            return Err(Failure::Input(format!("{least}: must be one of {CAPACITIES:?}")));
+        };
+        let hint = if let SetUpError::TableTooSmall { truncation, .. } = error {
+            let needed = Table::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
+            match CAPACITIES.iter().find(|capacity| **capacity >= needed) {
+                Some(enough) => format!("; at least {enough} segments would be enough"),
+                None => "; not even 4096 segments of this degree would be enough".to_owned(),
+            }
+        } else {
+            String::new()
+        };
+        Err(Failure::Method(format!("no ephemeris: {error}{hint}")))
+    }
+
     /// Table itself.
     pub fn table(&self) -> &Table<R> {
         self.0.get().expect("set up")
     }
+}
 
-    /// Motion at the time t, or at a tick, which is then at this time.
-    pub(super) fn at(&self, t: f64, tick: Option<i64>) -> impl Quantities {
+impl<R: TableScalar> MotionSource for HeapTable<R>
+where
+    Self: Send + Sync,
+{
+    fn read(&self, t: f64, tick: Option<i64>, read: &mut dyn FnMut(&dyn SampleQuantities)) {
         let table = self.table();
         let now = tick.map_or_else(|| table.at(t), |n| table.at_tick(n));
-        TableSample { table, now, t }
+        read(&TableSample { table, now, t });
     }
 
-    /// First events at which a condition holds, of those that the query includes.
-    pub(super) fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         /// Number of consecutive events of the other direction after which a search ends.
         const MAX_UNWANTED: u32 = 10_000;
         let table = self.table();
@@ -102,13 +118,13 @@ impl<R: HeapScalar> HeapTable<R> {
 }
 
 /// Sample of a table at the time t.
-struct TableSample<'a, R: HeapScalar> {
+struct TableSample<'a, R: TableScalar> {
     table: &'a Table<R>,
     now: toytop::Sample<'a, R>,
     t: f64,
 }
 
-impl<R: HeapScalar> Quantities for TableSample<'_, R> {
+impl<R: TableScalar> SampleQuantities for TableSample<'_, R> {
     fn t(&self) -> f64 {
         self.t
     }

@@ -7,18 +7,21 @@
 use super::TableTitle;
 use toytop::internal::{COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE};
 use toytop::scalar::Float;
-use toytop::{Baked, ErrorBound, Table};
+use toytop::{Baked, ErrorBound, Table, TableScalar};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::HeapScalar;
 
 /// Version of the format.
 const FORMAT: u32 = Baked::<f32, 16>::FORMAT;
 
 /// Text of a header: a comment, the include guard, size and error bounds as macros, the code and the table. If one file includes several
 /// headers, the code that they share is compiled once.
-pub fn header<R: HeapScalar>(title: &TableTitle, table: &Table<R>) -> String {
+pub fn header<R: TableScalar<Coefficient: Into<f64>>>(
+    title: &TableTitle,
+    table: &Table<R>,
+    crc32: u32,
+) -> String {
     let name = title.c_name();
-    let (scalar, upper) = (R::SCALAR.name(), name.to_uppercase());
+    let (scalar, upper) = (title.scalar.name(), name.to_uppercase());
     let bounds = [table.error_bound(), table.rate_error_bound()];
     let [[error, error_growth], [rate, rate_growth]] =
         bounds.map(|ErrorBound { constant, per_tick }| [constant, per_tick].map(decimal));
@@ -46,10 +49,9 @@ pub fn header<R: HeapScalar>(title: &TableTitle, table: &Table<R>) -> String {
 {code}
 {table}#endif
 ",
-        code = code(R::SCALAR),
-        table = definition(title, table),
+        code = code(title.scalar),
+        table = definition(title, table, crc32),
         headline = title.headline(table),
-        crc32 = R::crc32(table),
         ticks = decimal(table.clock().ticks_per_time[0]),
         segments = table.capacity(),
         bytes = size_of_val(table.segments()),
@@ -57,9 +59,13 @@ pub fn header<R: HeapScalar>(title: &TableTitle, table: &Table<R>) -> String {
 }
 
 /// Definition of a table.
-fn definition<R: HeapScalar>(title: &TableTitle, table: &Table<R>) -> String {
-    let (name, scalar) = (title.c_name(), R::SCALAR.name());
-    let is_f64 = R::SCALAR == Scalar::F64;
+fn definition<R: TableScalar<Coefficient: Into<f64>>>(
+    title: &TableTitle,
+    table: &Table<R>,
+    crc32: u32,
+) -> String {
+    let (name, scalar) = (title.c_name(), title.scalar.name());
+    let is_f64 = title.scalar == Scalar::F64;
     let number = |x: R::Coefficient| {
         let x: f64 = x.into();
         if is_f64 { decimal(x) } else { integer(x as i32) }
@@ -82,13 +88,13 @@ static const toytop_{scalar} {name} = {{
 ",
         count = rows.len(),
         rows = rows.concat(),
-        clock = initialisers(table),
+        clock = initialisers(table, crc32),
         scales = scales.map(|x| if is_f64 { decimal(x) } else { format!("{:.8e}f", x as f32) }).join(", "),
     )
 }
 
 /// Initialisers of a `toytop_clock`, a line for those of each type.
-fn initialisers<R: HeapScalar>(table: &Table<R>) -> String {
+fn initialisers<R: TableScalar>(table: &Table<R>, crc32: u32) -> String {
     let clock = table.clock();
     let words = |numbers: &[u64]| {
         let words: Vec<_> = numbers.iter().map(|number| format!("{number:#x}u")).collect();
@@ -101,7 +107,7 @@ fn initialisers<R: HeapScalar>(table: &Table<R>) -> String {
     let bounds = bounds.map(|ErrorBound { constant, per_tick }| [constant, per_tick]);
     let rows = table.capacity() * R::TERMS;
     [
-        format!("{FORMAT}u, {:#x}u, {}u, {}u, ~{rows}u", R::crc32(table), table.capacity(), R::TERMS),
+        format!("{FORMAT}u, {crc32:#x}u, {}u, {}u, ~{rows}u", table.capacity(), R::TERMS),
         format!("{}, {:#x}u", words(&clock.first_phases), clock.epoch as u64),
         format!("{{{}}}", clock.step.map(phase).join(", ")),
         [clock.step_turns.as_flattened(), &clock.ticks_per_time, bounds.as_flattened()]

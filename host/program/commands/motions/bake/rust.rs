@@ -1,9 +1,8 @@
 //! Rust module with one `static`, which does not compile if one of its bits was changed.
 
 use super::TableTitle;
-use toytop::{Baked, Table};
+use toytop::{Baked, Table, TableScalar};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::HeapScalar;
 
 /// Lines with fields of a struct, as Rust writes them.
 macro_rules! fields {
@@ -13,9 +12,9 @@ macro_rules! fields {
 }
 
 /// Text of the module. Numbers are printed by Rust, which reads back the same bits.
-pub fn module<R: HeapScalar>(title: &TableTitle, table: &Table<R>) -> String {
+pub fn module<R: TableScalar>(title: &TableTitle, table: &Table<R>, crc32: u32) -> String {
     let name = title.identifier().to_uppercase();
-    let scalar = match R::SCALAR {
+    let scalar = match title.scalar {
         Scalar::Q31 => "toytop::fixed::types::I2F30",
         Scalar::Q15 => "toytop::fixed::types::I2F14",
         float => float.name(),
@@ -50,7 +49,6 @@ pub static {name}: toytop::SizedTable{size} = match (toytop::Baked::{size} {{
 ",
         headline = title.headline(table),
         format = Baked::<R, 16>::FORMAT,
-        crc32 = R::crc32(table),
         clock = fields!(
             table.clock();
             step, tip_start_quarter_turns, tip_sign_changes, tip_exists, has_turning_points, twice_tip_scale, x_rate,
@@ -64,7 +62,7 @@ pub static {name}: toytop::SizedTable{size} = match (toytop::Baked::{size} {{
 }
 
 /// Coefficients of a segment in brackets, with one row in each line.
-fn rows<R: HeapScalar>(segment: &[[R::Coefficient; 4]]) -> String {
+fn rows<R: TableScalar>(segment: &[[R::Coefficient; 4]]) -> String {
     let lines: String = segment.iter().map(|row| format!("            {row:?},\n")).collect();
     format!("        [\n{lines}        ],\n")
 }

@@ -7,7 +7,7 @@ use std::cell::OnceCell;
 use std::str::FromStr;
 use toytop::Motion;
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::{MotionEphemeris, ephemeris_for, ephemeris_with};
+use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
 use toytop_host::motion::errors::greater_or_infinite;
 use toytop_host::motion::{Scalar, constant_as_json};
 use toytop_model::motion_constants::{CONSTANTS, Constant, MotionConstants};
@@ -109,12 +109,13 @@ impl RowMotion {
     fn f64_ephemeris(&self) -> Option<&MotionEphemeris> {
         /// Truncation error, rad.
         const TRUNCATION: f64 = 1e-13;
-        let ephemeris = || ephemeris_with(Scalar::F64, &self.motion, None, Some(TRUNCATION)).ok();
+        let settings = EphemerisSettings { truncation: Some(TRUNCATION), ..Scalar::F64.into() };
+        let ephemeris = || MotionEphemeris::new(&self.motion, settings).ok();
         self.f64_ephemeris.get_or_init(ephemeris).as_ref()
     }
 
     fn f32_ephemeris(&self) -> Option<&MotionEphemeris> {
-        self.f32_ephemeris.get_or_init(|| ephemeris_for(Scalar::F32, &self.motion).ok()).as_ref()
+        self.f32_ephemeris.get_or_init(|| MotionEphemeris::new(&self.motion, Scalar::F32).ok()).as_ref()
     }
 
     fn error_f32(&self) -> Option<f64> {

@@ -5,9 +5,7 @@ use toytop::{Motion, ParameterError, Regime};
 use toytop_host::input::random::Random;
 use toytop_host::motion::MotionConstants;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{
-    EventKind, EventQuery, MotionEphemeris, ephemeris_for, ephemeris_with, search,
-};
+use toytop_host::motion::ephemeris::{EphemerisSettings, EventKind, EventQuery, MotionEphemeris, search};
 use toytop_host::motion::errors::{greater_or_infinite, rate_error};
 use toytop_host::truth::float640::{Float640, from_f64, from_i64, to_i64};
 use toytop_host::truth::motion_input::MotionInput;
@@ -68,7 +66,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let motion = input.motion()?;
     let constants = MotionConstants::new(motion);
     let (period, rate) = (constants.time_scale(), constants.ticks_per_time());
-    let tables = Scalar::ALL.map(|scalar| ephemeris_for(scalar, &motion).ok());
+    let tables = Scalar::ALL.map(|scalar| MotionEphemeris::new(&motion, scalar).ok());
     let times = [(); NORM_TIMES].map(|()| random.between(0.0, period));
     let mut errors = tables.each_ref().map(|table| {
         let table = table.as_ref()?;
@@ -156,8 +154,8 @@ fn nearest(tick: i64, place: &Float640, period: &Float640) -> Option<i64> {
 
 /// For each scalar, the tick of the first period at which its rates differ most from a finer table.
 fn most_different_rates(tables: &[Option<MotionEphemeris>], motion: &Motion, period: f64) -> Vec<i64> {
-    let finer = ephemeris_with(Scalar::F64, motion, None, Some(FINE_TRUNCATION));
-    let Ok(finer) = finer else { return Vec::new() };
+    let settings = EphemerisSettings { truncation: Some(FINE_TRUNCATION), ..Scalar::F64.into() };
+    let Ok(finer) = MotionEphemeris::new(motion, settings) else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / RATE_TICKS as f64) as i64;
     let fine: Vec<_> = (0..RATE_TICKS).map(tick).map(|tick| (tick, finer.at_tick(tick).rates)).collect();
     let most = |table: &MotionEphemeris| {
