@@ -1,10 +1,10 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
-use crate::values::Values;
+use crate::values::{FINITE, Values, counted_values, number};
 use clap::Args;
 use std::path::{Path, PathBuf};
+use toytop_host::input::require_within;
 use toytop_host::input::text_file;
-use toytop_host::input::{finite, require_within};
 use toytop_host::{Failure, excerpt};
 
 /// Times of `toytop state`: exactly one of --times, --times-file, --ticks and --from.
@@ -12,8 +12,8 @@ use toytop_host::{Failure, excerpt};
 #[group(skip)]
 pub struct TimesArgs {
     /// Times, s, in any order: T1,T2,... or LOW..HIGH/COUNT, both ends included; log:LOW..HIGH/COUNT is even in the logarithm
-    #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true)]
-    pub times: Option<String>,
+    #[arg(long, value_name = "T1,T2,...", value_parser = counted_values, allow_hyphen_values = true)]
+    pub times: Option<Values>,
     /// File with one time, s, in each line; # starts a comment
     #[arg(long, value_name = "FILE")]
     pub times_file: Option<PathBuf>,
@@ -21,10 +21,10 @@ pub struct TimesArgs {
     #[arg(long, value_name = "N1,N2,...", allow_hyphen_values = true)]
     pub ticks: Option<String>,
     /// First of --count evenly spaced times, s
-    #[arg(long, value_name = "T", allow_hyphen_values = true, requires_all = ["to", "count"])]
+    #[arg(long, value_name = "T", value_parser = number(FINITE), allow_hyphen_values = true, requires_all = ["to", "count"])]
     pub from: Option<f64>,
     /// Last of these times, s
-    #[arg(long, value_name = "T", allow_hyphen_values = true, requires = "from")]
+    #[arg(long, value_name = "T", value_parser = number(FINITE), allow_hyphen_values = true, requires = "from")]
     pub to: Option<f64>,
     /// Number of these times
     #[arg(long, value_name = "N", requires = "from")]
@@ -53,36 +53,16 @@ impl Times {
     /// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
     pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Self, Failure> {
         match arguments {
-            TimesArgs { times: Some(text), .. } => Self::parse(text),
+            TimesArgs { times: Some(values), .. } => Self::new("--times".to_owned(), values),
             TimesArgs { times_file: Some(path), .. } => Self::read_file(path),
             TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
             TimesArgs { from, to, count, .. } => {
-                let finite = from.zip(*to).filter(|(from, to)| from.is_finite() && to.is_finite());
-                let values = finite.and_then(|(from, to)| Values::range(from, to, false, *count).ok());
-                let values = values.ok_or_else(|| {
-                    let allowed = "must be two finite times in this order, and a number from 2";
-                    Failure::Input(format!("--from, --to, --count: {allowed}"))
-                })?;
+                let [from, to] = [from, to].map(|time| time.unwrap_or_default());
+                let values = Values::range(from, to, false, *count)
+                    .map_err(|reason| Failure::Input(format!("--from, --to: {reason}")))?;
                 Self::new("--from, --to, --count".to_owned(), &values)
             }
         }
-    }
-
-    /// Times of a text `T1,T2,...` or `LOW..HIGH/COUNT`.
-    ///
-    /// # Errors
-    /// [`Failure::Input`]: another text.
-    pub fn parse(text: &str) -> Result<Self, Failure> {
-        let refused = |reason: &str| Failure::Input(format!("--times: {}: {reason}", excerpt(text)));
-        let values = if text.contains("..") {
-            text.parse().map_err(refused)?
-        } else {
-            Values::List(text.split(',').map(|entry| time(entry, "--times")).collect::<Result<_, _>>()?)
-        };
-        if values.count().is_none() {
-            return Err(refused("must be T1,T2,... or LOW..HIGH/COUNT or log:LOW..HIGH/COUNT"));
-        }
-        Self::new("--times".to_owned(), &values)
     }
 
     /// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
@@ -115,7 +95,10 @@ impl Times {
         for (index, line) in text.lines().enumerate() {
             let entry = line.split('#').next().unwrap_or_default().trim();
             if !entry.is_empty() {
-                times.push(time(entry, &format!("{name}: line {}", index + 1))?);
+                let refused = |reason| {
+                    Failure::Input(format!("{name}: line {}: {:?}: {reason}", index + 1, excerpt(entry)))
+                };
+                times.push(number(FINITE)(entry).map_err(refused)?);
             }
         }
         if times.is_empty() {
@@ -126,7 +109,11 @@ impl Times {
         Self::new(format!("--times-file: {name}"), &Values::List(times))
     }
 
-    fn new(option: String, values: &Values) -> Result<Self, Failure> {
+    /// Times of values with a number; `option` states them.
+    ///
+    /// # Errors
+    /// [`Failure::Input`]: too many times.
+    pub fn new(option: String, values: &Values) -> Result<Self, Failure> {
         require_count(values.size()).map_err(|reason| Failure::Input(reason).with_context(&option))?;
         let seconds = (0..values.size()).map(|index| values.at(index)).collect();
         Ok(Self { option, seconds, ticks: Vec::new() })
@@ -153,33 +140,30 @@ fn require_count(count: u64) -> Result<(), String> {
     if count > MAX_TIMES { Err(format!("{count} times: must be at most {MAX_TIMES}")) } else { Ok(()) }
 }
 
-fn time(entry: &str, source: &str) -> Result<f64, Failure> {
-    finite(entry).ok_or_else(|| {
-        Failure::Input(format!("{source}: {:?} must be a finite number", excerpt(entry.trim())))
-    })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
     fn spread_evenly_with_both_ends() {
-        let all = |text: &str| Times::parse(text).unwrap().seconds;
+        let times = |text: &str| {
+            let values = counted_values(text).map_err(|reason| Failure::Input(reason.to_owned()))?;
+            Times::new("--times".to_owned(), &values)
+        };
+        let all = |text: &str| times(text).unwrap().seconds;
         assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
         let third = all("0..0.3/4");
         assert_eq!((third.len(), third[0], third[3]), (4, 0.0, 0.3));
         let log = all("log:0.01..100/3");
         assert!(log[0] == 0.01 && (log[1] - 1.0).abs() < 1e-14 && log[2] == 100.0, "{log:?}");
-        let far = Times::parse("-3..1/5").unwrap();
+        let far = times("-3..1/5").unwrap();
         assert!(far.require_within(3.0, "").is_ok());
         assert_eq!(
             far.require_within(2.9, "").unwrap_err().to_string(),
             "--times: -3e0 must be within ±2.9e0 s"
         );
-        for refused in ["0..1", "1..0/3", "0..1/1", "0..1/5000000000", "0..x/3"] {
-            let message = Times::parse(refused).err().unwrap().to_string();
-            assert!(message.starts_with(&format!("--times: {refused}: ")), "{message}");
+        for refused in ["0..1", "1..0/3", "0..1/1", "0..1/5000000000", "0..1/60000000", "0..x/3"] {
+            assert!(times(refused).is_err(), "{refused}");
         }
     }
 

@@ -1,8 +1,32 @@
-//! Values of one number: a list, or a range.
+//! Numbers of the command line: one number in a range, or a list or a range of values.
 
+use std::ops::RangeInclusive;
 use std::str::FromStr;
-use toytop_host::input::finite;
 use toytop_host::input::random::Random;
+use toytop_host::output::significant;
+
+/// All finite numbers.
+pub const FINITE: RangeInclusive<f64> = f64::MIN..=f64::MAX;
+/// All finite numbers above 0.
+pub const POSITIVE: RangeInclusive<f64> = LEAST_POSITIVE..=f64::MAX;
+/// Least number above 0.
+pub const LEAST_POSITIVE: f64 = f64::from_bits(1);
+
+/// Parser of a number in a range.
+pub fn number(range: RangeInclusive<f64>) -> impl Fn(&str) -> Result<f64, String> + Clone {
+    move |text| {
+        let number = text.trim().parse().ok().filter(|number| range.contains(number));
+        number.ok_or_else(|| {
+            let [low, high] = [range.start(), range.end()].map(|end| significant(*end, 17));
+            match (*range.start(), *range.end()) {
+                (f64::MIN, _) => "must be a finite number".to_owned(),
+                (LEAST_POSITIVE, f64::MAX) => "must be a number above 0".to_owned(),
+                (LEAST_POSITIVE, _) => format!("must be a number above 0, at most {high}"),
+                _ => format!("must be a number from {low} to {high}"),
+            }
+        })
+    }
+}
 
 /// Values of one number, from a text such as `0.7`, `0.7,0.8,0.9`, `0.1..0.9`, `0.1..0.9/17` or `log:1e-3..1e3/7`.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,14 +123,21 @@ pub fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
+/// Parser of values with a number: a list, or a range with a count.
+pub fn counted_values(text: &str) -> Result<Values, &'static str> {
+    let values: Values = text.parse()?;
+    let allowed = "must be X,Y,... or LOW..HIGH/COUNT or log:LOW..HIGH/COUNT";
+    values.count().is_some().then_some(values).ok_or(allowed)
+}
+
 const FORMS: &str =
-    "must be a number, X,Y,... or LOW..HIGH or LOW..HIGH/COUNT (log:LOW..HIGH: even in the logarithm)";
+    "must be a finite number, X,Y,... or LOW..HIGH or LOW..HIGH/COUNT (log:LOW..HIGH: even in the logarithm)";
 
 impl FromStr for Values {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, &'static str> {
-        let number = |text: &str| finite(text).ok_or(FORMS);
+        let number = |text: &str| number(FINITE)(text).map_err(|_| FORMS);
         let (log, rest) = text.strip_prefix("log:").map_or((false, text), |rest| (true, rest));
         let Some((low, rest)) = rest.split_once("..") else {
             return Ok(Self::List(text.split(',').map(number).collect::<Result<_, _>>()?));
@@ -124,6 +155,20 @@ mod tests {
 
     fn values(text: &str) -> Values {
         text.parse().unwrap()
+    }
+
+    #[test]
+    fn a_number_out_of_range_is_refused_with_the_range() {
+        assert_eq!(number(-1.0..=0.5)(" 0.5 "), Ok(0.5));
+        assert_eq!(number(1.0..=f64::INFINITY)("inf"), Ok(f64::INFINITY));
+        for (range, text, reason) in [
+            (FINITE, "inf", "must be a finite number"),
+            (POSITIVE, "0", "must be a number above 0"),
+            (LEAST_POSITIVE..=1e9, "2e9", "must be a number above 0, at most 1e9"),
+            (0.1..=600.0, "nan", "must be a number from 0.1 to 600"),
+        ] {
+            assert_eq!(number(range)(text), Err(reason.to_owned()));
+        }
     }
 
     #[test]

@@ -1,8 +1,8 @@
-//! Options of several commands: method, scalars, name of a file, numbers.
+//! Options of several commands: method, scalars, name of a file, times, ticks.
 
+use crate::values::Values;
 use clap::ValueEnum;
 use std::path::PathBuf;
-use toytop_host::input::finite;
 use toytop_host::motion::Scalar;
 
 /// Method by which `state` reaches a time.
@@ -59,15 +59,12 @@ pub fn ending_in(endings: &'static [&'static str]) -> impl Fn(&str) -> Result<Pa
     }
 }
 
-/// Number above 0.
-pub fn positive(text: &str) -> Result<f64, &'static str> {
-    finite(text).filter(|x| *x > 0.0).ok_or("must be a number above 0")
-}
-
 /// Two times, LOW..HIGH, s.
 pub fn time_range(text: &str) -> Result<[f64; 2], &'static str> {
-    let ends = text.split_once("..").and_then(|(from, until)| Some([finite(from)?, finite(until)?]));
-    ends.filter(|[from, until]| from < until).ok_or("must be LOW..HIGH, two times in s")
+    match text.parse() {
+        Ok(Values::Range { low, high, log: false, count: None }) => Ok([low, high]),
+        _ => Err("must be LOW..HIGH, two times in s"),
+    }
 }
 
 /// Tick rate [A, B] of `A/B`: A ticks in B seconds.

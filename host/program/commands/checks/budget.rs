@@ -12,11 +12,11 @@ mod budgets;
 mod corpus;
 mod pages;
 
-use crate::commands::options::positive;
 use crate::files::doc_page::repository;
 use crate::files::whole_file;
 use crate::table::TextTable;
 use crate::terminal::stdout::Report;
+use crate::values::{POSITIVE, number};
 use budgets::{Budgets, FLASH_S};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
@@ -46,7 +46,7 @@ pub struct BudgetArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', value_parser = PossibleValuesParser::new(Chip::measured().map(|chip| chip.name)))]
     chip: Vec<String>,
     /// Clock of the chip, MHz, from which times follow
-    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = positive, conflicts_with = "corpus")]
+    #[arg(long, value_name = "MHZ", default_value_t = 64.0, value_parser = number(POSITIVE), conflicts_with = "corpus")]
     clock: f64,
     /// ELF file of your own, whose functions named bench_... are measured
     #[arg(long, value_name = "FILE", group = "measurement")]

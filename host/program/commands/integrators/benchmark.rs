@@ -4,6 +4,7 @@ use super::problem_files::{self, Problem, ReferenceSample};
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
 use crate::times::Times;
+use crate::values::{Values, counted_values};
 use clap::Args;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
@@ -24,8 +25,8 @@ pub struct BenchmarkArgs {
     /// Name of a problem; without it, all problems are listed
     name: Option<String>,
     /// Times in place of the source's, s: T1,T2,... or LOW..HIGH/COUNT; the values then have 17 digits
-    #[arg(long, value_name = "T1,T2,...", allow_hyphen_values = true, requires = "name")]
-    times: Option<String>,
+    #[arg(long, value_name = "T1,T2,...", value_parser = counted_values, allow_hyphen_values = true, requires = "name")]
+    times: Option<Values>,
     /// Print the scenario file of the problem
     #[arg(long, requires = "name", conflicts_with_all = ["times", "format"])]
     scenario: bool,
@@ -137,9 +138,9 @@ fn reference_row(sample: &ReferenceSample) -> BenchmarkRow {
 }
 
 /// Values of the ephemeris at any times, with 17 digits.
-fn computed_rows(problem: &Problem, times: &str) -> Result<Vec<BenchmarkRow>, Failure> {
+fn computed_rows(problem: &Problem, times: &Values) -> Result<Vec<BenchmarkRow>, Failure> {
     let Problem { scenario, about, .. } = problem;
-    let times = Times::parse(times)?;
+    let times = Times::new("--times".to_owned(), times)?;
     let table = MotionEphemeris::new(&scenario.motion, Scalar::F64)
         .map_err(|failure| failure.with_context(&scenario.name))?;
     times.require_within(table.furthest_time(), "")?;

@@ -1,12 +1,13 @@
 //! `toytop score`: output of an integrator, compared with the exact motion.
 
 use super::problem_files;
-use crate::commands::options::{PICTURE, ending_in, positive};
+use crate::commands::options::{PICTURE, ending_in};
 use crate::drawing;
 use crate::drawing::chart::{Chart, Curve};
 use crate::files::whole_file;
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
+use crate::values::{POSITIVE, number};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
@@ -42,7 +43,7 @@ pub struct ScoreArgs {
     #[arg(long, value_name = "NAME")]
     benchmark: Option<String>,
     /// Step size of each file, s; by default the one that the file states, or the spacing of its rows
-    #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = positive)]
+    #[arg(long, value_name = "H1,H2,...", value_delimiter = ',', allow_hyphen_values = true, value_parser = number(POSITIVE))]
     steps: Vec<f64>,
     /// Picture of the greatest error against the work, whose name ends in .svg or .png
     #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]

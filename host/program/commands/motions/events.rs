@@ -3,14 +3,15 @@
 use crate::commands::warnings::warnings;
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
+use crate::values::{FINITE, POSITIVE, number};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
 use std::path::PathBuf;
 use toytop::{Phase, Support};
 use toytop_host::Failure;
+use toytop_host::input::require_within;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::input::{finite, require_within};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEphemeris, MotionEvent, search};
 use toytop_host::motion::sample::Sample;
@@ -34,7 +35,7 @@ pub struct EventsArgs {
     #[arg(long = "kind", value_name = "KIND,...", value_delimiter = ',', default_value = "turning", allow_hyphen_values = true, value_parser = kind)]
     kinds: Vec<KindArgument>,
     /// Time of the earliest event to list, s
-    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = time)]
+    #[arg(long, value_name = "T", default_value_t = 0.0, allow_hyphen_values = true, value_parser = number(FINITE))]
     from: f64,
     /// Greatest number of events
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
@@ -62,26 +63,18 @@ fn kind(text: &str) -> Result<KindArgument, String> {
         Some(_) => return Err(ALLOWED.to_owned()),
         None => (text, None),
     };
-    let kind = match rest.split_once('=').map(|(name, value)| (name, finite(value))) {
+    let parse = |range, unit, value| number(range)(value).map_err(|reason| format!("{rest}: {reason}{unit}"));
+    let kind = match rest.split_once('=') {
         None if rest == "turning" => EventKind::Turning,
         None if rest == "lift-off" => EventKind::LiftOff,
-        Some(("tilt", Some(degrees))) if (0.0..=180.0).contains(&degrees) => {
-            EventKind::Tilt(degrees.to_radians())
+        Some(("tilt", value)) => EventKind::Tilt(parse(0.0..=180.0, " degrees", value)?.to_radians()),
+        Some(("tip-angle", value)) => {
+            EventKind::TipAngle(Phase::from_turns(parse(-1e6..=1e6, " degrees", value)? / 360.0))
         }
-        Some(("tilt", Some(_))) => return Err("tilt: must be in [0, 180] degrees".to_owned()),
-        Some(("tip-angle", Some(degrees))) if degrees.abs() <= 1e6 => {
-            EventKind::TipAngle(Phase::from_turns(degrees / 360.0))
-        }
-        Some(("tip-angle", Some(_))) => return Err("tip-angle: must be within ±1e6 degrees".to_owned()),
-        Some(("circle", Some(radius))) if radius > 0.0 => EventKind::Circle(radius),
-        Some(("circle", Some(_))) => return Err("circle: must be above 0".to_owned()),
+        Some(("circle", value)) => EventKind::Circle(parse(POSITIVE, "", value)?),
         _ => return Err(ALLOWED.to_owned()),
     };
     Ok(KindArgument { kind, upward, text: text.to_owned() })
-}
-
-fn time(text: &str) -> Result<f64, &'static str> {
-    finite(text).ok_or("must be a finite number")
 }
 
 pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {

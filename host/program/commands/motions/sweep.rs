@@ -6,7 +6,7 @@ mod motions;
 use crate::files::whole_file;
 use crate::terminal::parallel_rows::write_rows;
 use crate::terminal::stdout::{self, Report};
-use crate::values::Values;
+use crate::values::{LEAST_POSITIVE, Values, number};
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
 use motions::{MAX_MOTIONS, Sweep};
@@ -58,7 +58,7 @@ pub struct SweepArgs {
     #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
     samples: u32,
     /// Nutation periods over which these times are spread. Without a period, 2 pi sqrt((A/p + s)/g) takes its place
-    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = periods, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = number(LEAST_POSITIVE..=1e9), allow_hyphen_values = true)]
     periods: f64,
     /// Every N-th motion from the I-th; only part 1 has the header, so that cat joins the parts
     #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = part)]
@@ -79,10 +79,6 @@ impl SweepArgs {
 fn key_and_values(text: &str) -> Result<(String, Values), String> {
     let (key, values) = text.split_once('=').ok_or("must be KEY=VALUES")?;
     Ok((key.to_owned(), values.parse()?))
-}
-
-fn periods(text: &str) -> Result<f64, &'static str> {
-    text.parse().ok().filter(|x| *x > 0.0 && *x <= 1e9).ok_or("must be above 0 and at most 1e9")
 }
 
 fn part(text: &str) -> Result<[u64; 2], &'static str> {

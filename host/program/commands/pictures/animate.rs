@@ -6,6 +6,7 @@ use crate::drawing::film::Film;
 use crate::files::whole_file;
 use crate::terminal::progress::Progress;
 use crate::terminal::stdout::Report;
+use crate::values::number;
 use clap::Args;
 use std::io::BufWriter;
 use std::path::PathBuf;
@@ -27,7 +28,7 @@ pub struct AnimateArgs {
     #[arg(long, value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
     times: Option<[f64; 2]>,
     /// Length of the film, s
-    #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = length)]
+    #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = number(0.1..=600.0))]
     duration: f64,
     /// Width and height of the film, pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 480, value_parser = clap::value_parser!(u16).range(64..=2160))]
@@ -35,10 +36,6 @@ pub struct AnimateArgs {
     /// Output file, whose name ends in .gif
     #[arg(short, long, value_name = "FILE", value_parser = ending_in(&[".gif"]))]
     output: PathBuf,
-}
-
-fn length(text: &str) -> Result<f64, &'static str> {
-    text.parse().ok().filter(|x| (0.1..=600.0).contains(x)).ok_or("must be a number from 0.1 to 600")
 }
 
 /// Time of a frame, hundredths of a second.

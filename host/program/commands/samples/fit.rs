@@ -2,10 +2,11 @@
 
 mod report;
 
-use crate::commands::options::{PICTURE, ending_in, positive};
+use crate::commands::options::{PICTURE, ending_in};
 use crate::drawing::{self, residuals};
 use crate::files::whole_file;
 use crate::terminal::stdout::Report;
+use crate::values::{POSITIVE, number};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::slice;
@@ -45,10 +46,10 @@ pub struct FitArgs {
     #[arg(long, value_parser = FREE_KEYS, value_name = "KEY,...", value_delimiter = ',')]
     free: Vec<String>,
     /// Residual, in standard deviations, from which a sample is an outlier; inf for least squares
-    #[arg(long, value_name = "X", default_value_t = 3.0, value_parser = huber)]
+    #[arg(long, value_name = "X", default_value_t = 3.0, value_parser = number(1.0..=f64::INFINITY))]
     huber: f64,
     /// Fits a slow loss of rotation too, expected to be X (relative, 1/s; 0.017 loses the spin in a minute), and reports the drifts
-    #[arg(long, value_name = "X", value_parser = positive)]
+    #[arg(long, value_name = "X", value_parser = number(POSITIVE))]
     drift: Option<f64>,
     /// Form of the output
     #[arg(long, default_value = "table")]
@@ -59,10 +60,6 @@ pub struct FitArgs {
     /// Scenario file to write
     #[arg(short, long, value_name = "FITTED.toml")]
     output: Option<PathBuf>,
-}
-
-fn huber(text: &str) -> Result<f64, &'static str> {
-    text.parse().ok().filter(|x| *x >= 1.0).ok_or("must be a number from 1, or inf")
 }
 
 pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {

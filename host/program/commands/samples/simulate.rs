@@ -1,8 +1,8 @@
 //! `toytop simulate`: simulated readings of sensors on a top.
 
-use crate::commands::options::positive;
 use crate::files::whole_file;
 use crate::terminal::stdout::{self, Report};
+use crate::values::{POSITIVE, number};
 use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;
@@ -23,10 +23,10 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "SENSORS.toml")]
     sensors: Option<PathBuf>,
     /// Number of samples in a second
-    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = positive)]
+    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = number(POSITIVE))]
     hertz: f64,
     /// Length of the recording, s
-    #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = positive)]
+    #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = number(POSITIVE))]
     duration: f64,
     /// Seed of the noise
     #[arg(long, value_name = "S", default_value_t = 1)]

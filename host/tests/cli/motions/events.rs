@@ -104,8 +104,8 @@ fn wrong_arguments_are_refused() {
         "events @toy_top",
         &[
             ("--kind tilt", "must be turning, tilt=DEGREES"),
-            ("--kind tilt=200", "must be in [0, 180]"),
-            ("--kind circle=-1", "must be above 0"),
+            ("--kind tilt=200", "must be a number from 0 to 180 degrees"),
+            ("--kind circle=-1", "must be a number above 0"),
             ("--kind circle=0.04", "must be above 0 and below 0.03"),
             ("--kind turning:left", "must be turning"),
             ("--count 0", "1..=1000000"),
