@@ -43,7 +43,7 @@ mod checks {
 
 use crate::terminal::stdout::Report;
 use checks::*;
-use clap::{CommandFactory, Parser};
+use clap::{ArgMatches, Args, Command};
 use clap_complete::Shell;
 use integrators::*;
 use motions::*;
@@ -51,124 +51,108 @@ use pictures::*;
 use samples::*;
 use toytop_host::Failure;
 
-/// Groups of commands in `toytop --help`: the folders of the modules.
-const GROUPS: [(&str, &str); 5] = [
-    ("Motions", "state constants events compare sweep bake"),
-    ("Pictures", "plot animate view"),
-    ("Samples", "simulate fit"),
-    ("Integrators", "score benchmark"),
-    ("Shell", "completions"),
-];
+/// Function that runs a command from its arguments.
+type Run = dyn Fn(&ArgMatches) -> Result<Report, Failure>;
 
-/// Template of `toytop --help`.
-pub fn help() -> String {
+/// Command of `toytop` with the function that runs it.
+struct RunnableCommand {
+    command: Command,
+    run: Box<Run>,
+}
+
+/// Command of this name, whose arguments are those of its function.
+fn command<A: Args + 'static>(name: &'static str, run: fn(&A) -> Result<Report, Failure>) -> RunnableCommand {
+    let arguments = |matches: &ArgMatches| A::from_arg_matches(matches).expect("the command's arguments");
+    RunnableCommand {
+        command: A::augment_args(Command::new(name)),
+        run: Box::new(move |matches| run(&arguments(matches))),
+    }
+}
+
+/// Commands in the groups of `toytop --help`. The last group is that of the checks.
+fn groups() -> [(&'static str, Vec<RunnableCommand>); 6] {
+    [
+        (
+            "Motions",
+            vec![
+                command("state", state::run),
+                command("constants", constants::run),
+                command("events", events::run),
+                command("compare", compare::run),
+                command("sweep", sweep::run),
+                command("bake", bake::run),
+            ],
+        ),
+        (
+            "Pictures",
+            vec![command("plot", plot::run), command("animate", animate::run), command("view", view::run)],
+        ),
+        ("Samples", vec![command("simulate", simulate::run), command("fit", fit::run)]),
+        ("Integrators", vec![command("score", score::run), command("benchmark", benchmark::run)]),
+        ("Shell", vec![command("completions", completions)]),
+        (
+            "Checks of toytop itself",
+            vec![
+                command("accuracy", accuracy::run),
+                command("budget", budget::run),
+                command("errata", errata::run),
+                command("figures", figures::run),
+                command("study", study::run),
+                command("timings", timings::run),
+            ],
+        ),
+    ]
+}
+
+/// Command line of the program.
+pub fn toytop() -> Command {
     let mut help =
         "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\n".to_owned();
-    let commands = Command::command();
-    for (group, names) in GROUPS {
+    let mut toytop = Command::new("toytop")
+        .version(env!("CARGO_PKG_VERSION"))
+        .about("Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body")
+        .subcommand_required(true)
+        .arg_required_else_help(true);
+    let [groups @ .., (heading, checks)] = groups();
+    for (group, commands) in groups {
         help += &format!("{group}:\n");
-        for name in names.split(' ') {
-            let about = commands.find_subcommand(name).and_then(clap::Command::get_about);
-            help += &format!("  {name:<12}{}\n", about.cloned().unwrap_or_default());
+        for RunnableCommand { command, .. } in commands {
+            let about = command.get_about().cloned().unwrap_or_default();
+            help += &format!("  {:<12}{about}\n", command.get_name());
+            toytop = toytop.subcommand(command);
         }
     }
-    let hidden: Vec<_> = commands
-        .get_subcommands()
-        .filter(|command| command.is_hide_set())
-        .map(clap::Command::get_name)
-        .collect();
-    help + &format!("Checks of toytop itself: {}\n", hidden.join(" "))
-}
-
-/// Exact motion of a spinning top whose tip slides on a plane or is held, or of a free body.
-#[derive(Parser)]
-#[command(name = "toytop", version)]
-pub enum Command {
-    State(state::StateArgs),
-    Constants(constants::ConstantsArgs),
-    Events(events::EventsArgs),
-    Compare(compare::CompareArgs),
-    Sweep(Box<sweep::SweepArgs>),
-    Bake(bake::BakeArgs),
-    Plot(plot::PlotArgs),
-    Animate(animate::AnimateArgs),
-    View(view::ViewArgs),
-    Simulate(simulate::SimulateArgs),
-    Fit(fit::FitArgs),
-    Score(score::ScoreArgs),
-    Benchmark(benchmark::BenchmarkArgs),
-    /// Completions for a shell
-    #[command(
-        after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
-    )]
-    Completions {
-        /// Shell that the completions are for
-        shell: Shell,
-    },
-    #[command(hide = true)]
-    Accuracy(accuracy::AccuracyArgs),
-    #[command(hide = true)]
-    Budget(budget::BudgetArgs),
-    #[command(hide = true)]
-    Errata(errata::ErrataArgs),
-    #[command(hide = true)]
-    Figures(figures::FiguresArgs),
-    /// Random launches near degenerate cases, and fits, against the truth
-    #[command(
-        hide = true,
-        subcommand,
-        after_help = "Example: toytop study corners --motions 20000 --truths 400 --accept"
-    )]
-    Study(study::Study),
-    #[command(hide = true, alias = "bench")]
-    Timings(timings::TimingsArgs),
-}
-
-impl Command {
-    /// Runs the command.
-    ///
-    /// # Errors
-    /// See [`Failure`].
-    pub fn run(&self) -> Result<Report, Failure> {
-        match self {
-            Self::State(arguments) => state::run(arguments),
-            Self::Constants(arguments) => constants::run(arguments),
-            Self::Events(arguments) => events::run(arguments),
-            Self::Compare(arguments) => compare::run(arguments),
-            Self::Sweep(arguments) => sweep::run(arguments),
-            Self::Bake(arguments) => bake::run(arguments),
-            Self::Plot(arguments) => plot::run(arguments),
-            Self::Animate(arguments) => animate::run(arguments),
-            Self::View(arguments) => view::run(arguments),
-            Self::Simulate(arguments) => simulate::run(arguments),
-            Self::Fit(arguments) => fit::run(arguments),
-            Self::Score(arguments) => score::run(arguments),
-            Self::Benchmark(arguments) => benchmark::run(arguments),
-            Self::Completions { shell } => {
-                let mut script = Vec::new();
-                clap_complete::generate(*shell, &mut Self::command(), "toytop", &mut script);
-                Ok(String::from_utf8_lossy(&script).into_owned().into())
-            }
-            Self::Accuracy(arguments) => accuracy::run(arguments),
-            Self::Budget(arguments) => budget::run(arguments),
-            Self::Errata(arguments) => errata::run(arguments),
-            Self::Figures(arguments) => figures::run(arguments),
-            Self::Study(study) => study::run(study),
-            Self::Timings(arguments) => timings::run(arguments),
-        }
+    help += &format!("{heading}:");
+    for RunnableCommand { command, .. } in checks {
+        help += &format!(" {}", command.get_name());
+        toytop = toytop.subcommand(command.hide(true));
     }
+    toytop.help_template(help + "\n")
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+/// Runs a command of [`toytop`].
+///
+/// # Errors
+/// See [`Failure`].
+pub fn run(matches: &ArgMatches) -> Result<Report, Failure> {
+    let (name, arguments) = matches.subcommand().expect("a command is required");
+    let mut commands = groups().into_iter().flat_map(|(_, commands)| commands);
+    let command = commands.find(|command| command.command.get_name() == name).expect("one of the commands");
+    (command.run)(arguments)
+}
 
-    #[test]
-    fn help_lists_every_command() {
-        let grouped = GROUPS.map(|(_, names)| names).join(" ");
-        for command in Command::command().get_subcommands() {
-            let name = command.get_name();
-            assert_eq!(grouped.split(' ').any(|one| one == name), !command.is_hide_set(), "{name}");
-        }
-    }
+/// Completions for a shell
+#[derive(Args)]
+#[command(
+    after_help = "Example: toytop completions bash > ~/.local/share/bash-completion/completions/toytop"
+)]
+struct CompletionsArgs {
+    /// Shell that the completions are for
+    shell: Shell,
+}
+
+fn completions(arguments: &CompletionsArgs) -> Result<Report, Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(arguments.shell, &mut toytop(), "toytop", &mut script);
+    Ok(String::from_utf8_lossy(&script).into_owned().into())
 }

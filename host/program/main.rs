@@ -28,5 +28,5 @@ mod commands;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    terminal::command_line::run(commands::help(), commands::Command::run)
+    terminal::command_line::run(commands::toytop(), commands::run)
 }

@@ -2,16 +2,14 @@
 
 use super::stdout::{Report, print};
 use clap::error::ErrorKind;
-use clap::{Arg, Parser};
+use clap::{Arg, ArgMatches, Command};
 use std::io::{self, Write};
 use std::process::ExitCode;
 use toytop_host::Failure;
 
 /// Parses the command line of the process, runs the command and prints its report or its failure. Returns the exit code.
-///
-/// * `help`: template of the help
-pub fn run<C: Parser>(help: String, command: impl FnOnce(&C) -> Result<Report, Failure>) -> ExitCode {
-    match parsed(help, command).and_then(print) {
+pub fn run(command: Command, execute: impl FnOnce(&ArgMatches) -> Result<Report, Failure>) -> ExitCode {
+    match parsed(command, execute).and_then(print) {
         Ok(code) => code,
         Err(failure) => {
             // if stderr is closed, the message cannot be shown
@@ -25,16 +23,12 @@ pub fn run<C: Parser>(help: String, command: impl FnOnce(&C) -> Result<Report, F
 ///
 /// # Errors
 /// [`Failure::Input`] for everything that clap refuses, and the failures of the command.
-fn parsed<C: Parser>(
-    help: String,
-    command: impl FnOnce(&C) -> Result<Report, Failure>,
+fn parsed(
+    command: Command,
+    execute: impl FnOnce(&ArgMatches) -> Result<Report, Failure>,
 ) -> Result<Report, Failure> {
-    let parsed = with_negative_numbers(C::command())
-        .help_template(help)
-        .try_get_matches()
-        .and_then(|matches| C::from_arg_matches(&matches));
-    let error = match parsed {
-        Ok(arguments) => return command(&arguments),
+    let error = match with_negative_numbers(command).try_get_matches() {
+        Ok(matches) => return execute(&matches),
         Err(error) => error,
     };
     match error.kind() {
@@ -47,7 +41,7 @@ fn parsed<C: Parser>(
 }
 
 /// Command whose options take negative numbers as values.
-fn with_negative_numbers(command: clap::Command) -> clap::Command {
+fn with_negative_numbers(command: Command) -> Command {
     let takes_one = |argument: &Arg| !argument.is_positional() && argument.get_action().takes_values();
     command
         .mut_args(

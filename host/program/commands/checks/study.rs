@@ -12,9 +12,17 @@ use serde_json::json;
 use toytop_host::Failure;
 use toytop_host::output::{self, Format};
 
+/// Random launches near degenerate cases, and fits, against the truth
+#[derive(Args)]
+#[command(after_help = "Example: toytop study corners --motions 20000 --truths 400 --accept")]
+pub struct StudyArgs {
+    #[command(subcommand)]
+    study: Study,
+}
+
 /// Study with its arguments.
 #[derive(Subcommand)]
-pub enum Study {
+enum Study {
     /// Errors of tables near every degenerate case, in four scalars, beside their bounds
     ///
     /// The exit code is 1 if a bound is exceeded.
@@ -35,7 +43,7 @@ pub enum Study {
 
 /// Arguments of both studies.
 #[derive(Args)]
-pub struct StudyOptions {
+struct StudyOptions {
     /// Number of launches, of each set of sensors in a study of fits
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     motions: u64,
@@ -50,8 +58,8 @@ pub struct StudyOptions {
     format: Format,
 }
 
-pub fn run(study: &Study) -> Result<Report, Failure> {
-    match study {
+pub fn run(arguments: &StudyArgs) -> Result<Report, Failure> {
+    match &arguments.study {
         Study::Corners { options, truths } => {
             options.run("host/docs/accuracy.md", "toytop study corners: corners", || {
                 corners::run(options, *truths)

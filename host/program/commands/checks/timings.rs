@@ -51,7 +51,7 @@ fn time(what: impl Into<String>, states: u32, mut task: impl FnMut()) -> TimedTa
 
 /// Computing times on this machine: ephemeris, stepper, full solver
 #[derive(Args)]
-#[command(after_help = "Example: toytop timings --format json")]
+#[command(alias = "bench", after_help = "Example: toytop timings --format json")]
 pub struct TimingsArgs {
     /// Form of the output
     #[arg(long, default_value = "table")]
