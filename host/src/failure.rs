@@ -52,14 +52,10 @@ impl Failure {
         }
     }
 
-    /// Failure whose message begins with the option, if its input is refused.
-    pub fn with_option(self, option: &str) -> Self {
-        if matches!(self, Self::Input(_)) { self.with_context(option) } else { self }
-    }
-
-    /// Failure whose message begins with the motion's name, if a method does not apply to the motion.
-    pub fn with_motion_name(self, name: &str) -> Self {
-        if matches!(self, Self::Method(_)) { self.with_context(name) } else { self }
+    /// Failure whose message begins with the motion's name where a method does not apply to the motion, and else with the option.
+    pub fn with_option_or_motion(self, option: &str, motion: &str) -> Self {
+        let name = if matches!(self, Self::Method(_)) { motion } else { option };
+        self.with_context(name)
     }
 }
 

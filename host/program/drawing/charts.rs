@@ -62,7 +62,10 @@ fn without_rounding(degrees: f64) -> f64 {
 pub fn precession(scenario: &Scenario, span: &MotionSpan) -> Result<Scene, Failure> {
     // the axis leans in the direction opposite to the tip, so that its azimuth differs from the tip angle by half a turn
     let start = span.at(0.0).tip_angle.ok_or_else(|| {
-        Failure::Method("the axis is vertical at all times, so that it has no azimuth".to_owned())
+        Failure::Method(format!(
+            "{}: the axis is vertical at all times, so that it has no azimuth",
+            scenario.name
+        ))
     })?;
     let turn = if start > 0.0 { -PI } else { PI };
     let [from, until] = span.ends;

@@ -79,8 +79,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         Scalar::F32 => baked(arguments, &scenario, tick, &title, 25, Table::<f32>::crc32),
         Scalar::Q31 => baked(arguments, &scenario, tick, &title, 32, Table::<I2F30>::crc32),
         Scalar::Q15 => baked(arguments, &scenario, tick, &title, 16, Table::<I2F14>::crc32),
-    }
-    .map_err(|failure| failure.with_motion_name(&scenario.name))?;
+    }?;
     stdout::write_or_file(arguments.output.as_deref(), |out| out.write_all(text.as_bytes()))?;
     Ok(Report::default().with_notes(std::iter::once(summary).chain(warnings(&[scenario]))))
 }
@@ -98,7 +97,7 @@ fn baked<R: TableScalar<Coefficient: Into<f64>>>(
 ) -> Result<[String; 2], Failure> {
     let segments = arguments.segments.map_or(least..=*SEGMENTS.end(), |segments| segments..=segments);
     let table = HeapTable::new(&scenario.motion, &TableSettings::new(tick), segments)
-        .map_err(|failure| failure.with_option("--segments"))?;
+        .map_err(|failure| failure.with_option_or_motion("--segments", &scenario.name))?;
     let table = table.table();
     let text = match arguments.lang {
         Language::Rust => module(title, table, crc32(table)),

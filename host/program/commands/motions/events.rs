@@ -82,7 +82,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let (motion, from, count) = (&scenario.motion, arguments.from, arguments.count as usize);
     let table =
         MotionEphemeris::new(motion, Scalar::F64).map_err(|failure| failure.with_context(&scenario.name))?;
-    require_within([from], table.furthest_time(), " s").map_err(|failure| failure.with_option("--from"))?;
+    require_within([from], table.furthest_time(), " s").map_err(|failure| failure.with_context("--from"))?;
     let mut events = Vec::new();
     for argument in &arguments.kinds {
         let KindArgument { kind, upward, text } = argument;

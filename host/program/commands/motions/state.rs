@@ -123,7 +123,7 @@ fn sampler(
             let step = MotionConstants::new(*motion).time_scale()
                 / f64::from(arguments.steps_per_period.unwrap_or(4096));
             let option = arguments.steps_per_period.map_or(&*times.option, |_| "--steps-per-period");
-            let steps = steps_needed(&times.seconds, step).map_err(|failure| failure.with_option(option))?;
+            let steps = steps_needed(&times.seconds, step).map_err(|failure| failure.with_context(option))?;
             let progress = Progress::new(steps, "steps");
             let samples = match scalar {
                 Scalar::F64 => stepper::samples::<f64>,

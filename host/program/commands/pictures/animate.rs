@@ -49,7 +49,7 @@ pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(scenario)?;
     let frames = (100.0 * duration / f64::from(HUNDREDTHS)).round().max(2.0) as u64;
     let span = MotionSpan::new(&scenario.motion, *times, (frames / FRAMES_PER_CYCLE) as f64)
-        .map_err(|failure| failure.with_option("--times").with_motion_name(&scenario.name))?;
+        .map_err(|failure| failure.with_option_or_motion("--times", &scenario.name))?;
     let film = Film { scenario: &scenario, span: &span, frames, size: *size };
     let progress = Progress::new(frames, "frames");
     whole_file::write_by("--output", output, |file| film.gif(HUNDREDTHS, BufWriter::new(file), &progress))?;

@@ -56,7 +56,7 @@ enum PlotKind {
 
 pub fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
-    let scene = scene(arguments, &scenario).map_err(|failure| failure.with_motion_name(&scenario.name))?;
+    let scene = scene(arguments, &scenario)?;
     drawing::write("--output", &arguments.output, &scene, arguments.size)?;
     Ok(Report::default().with_notes(warnings(&[scenario])))
 }
@@ -70,7 +70,7 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         return Ok(charts::potential(scenario));
     }
     let span = MotionSpan::new(&scenario.motion, times, MAX_CYCLES)
-        .map_err(|failure| failure.with_option("--times"))?;
+        .map_err(|failure| failure.with_option_or_motion("--times", &scenario.name))?;
     Ok(match arguments.kind {
         PlotKind::Tilt => charts::tilt(scenario, &span),
         PlotKind::Precession => charts::precession(scenario, &span)?,
