@@ -4,7 +4,7 @@ use comfy_table::{CellAlignment, Row, presets::NOTHING};
 use serde::Serialize;
 use serde_json::Value;
 use std::iter::once;
-use toytop_host::output::{fields, text};
+use toytop_host::output::{fields, significant, text};
 
 /// Column: heading, and text of a row.
 pub type Column<T> = (&'static str, fn(&T) -> String);
@@ -25,13 +25,14 @@ impl TextTable {
         Self { lines: once(header).chain(rows.iter().map(line)).collect(), left }
     }
 
-    /// One column for each field, with its name above; `-` for an absent value. The first columns of words are aligned to the left.
-    pub fn from_rows(rows: &[impl Serialize], of_number: fn(f64) -> String) -> Self {
+    /// One column for each field, with its name above; `-` for an absent value, and this number of significant digits. The first columns of words are aligned to the left.
+    pub fn from_rows(rows: &[impl Serialize], digits: usize) -> Self {
         let rows: Vec<_> = rows.iter().map(fields).collect();
         let header = rows.iter().take(1).flatten().map(|(name, _)| name.clone()).collect();
         let is_word = |column: &usize| rows.iter().all(|row| row[*column].1.is_string());
         let left = (0..rows.first().map_or(0, Vec::len)).take_while(is_word).count();
-        let cell = |(_, value): &(String, Value)| text(value, of_number).unwrap_or_else(|| "-".to_owned());
+        let number = |x| significant(x, digits);
+        let cell = |(_, value): &(String, Value)| text(value, number).unwrap_or_else(|| "-".to_owned());
         let lines = rows.iter().map(|row| row.iter().map(cell).collect());
         Self { lines: once(header).chain(lines).collect(), left }
     }

@@ -111,11 +111,6 @@ pub fn or_dash(number: Option<f64>, text: fn(f64) -> String) -> String {
     number.map_or_else(|| "-".to_owned(), text)
 }
 
-/// Number with eight significant digits.
-pub fn value_text(x: f64) -> String {
-    significant(x, 8)
-}
-
 /// Error with two significant digits.
 pub fn error_text(x: f64) -> String {
     format!("{x:.1e}")

@@ -10,7 +10,7 @@ use crate::arguments::{NumericArg, failed, renamed, value_error, within};
 use crate::samples::{Sampler, SharedEphemeris, Source};
 use crate::top::TopCore;
 use pyo3::prelude::*;
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
 use toytop_host::motion::ephemeris::MotionEphemeris;
@@ -27,6 +27,8 @@ pub(crate) struct MotionCore {
     pub(crate) top: TopCore,
     pub(crate) launch: Launch,
     pub(crate) motion: Motion,
+    /// The same motion, whose period is integrated once.
+    constants: Mutex<MotionConstants>,
     tables: [OnceLock<Result<SharedEphemeris, String>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
     pub(crate) truth: OnceLock<Quadrature>,
@@ -43,7 +45,8 @@ pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
 
 impl MotionCore {
     pub(crate) fn new(top: TopCore, launch: Launch, motion: Motion) -> Self {
-        Self { top, launch, motion, tables: Default::default(), truth: OnceLock::new() }
+        let constants = Mutex::new(MotionConstants::new(motion));
+        Self { top, launch, motion, constants, tables: Default::default(), truth: OnceLock::new() }
     }
 
     /// Motion from a state, with this name of the rates in error messages.
@@ -53,6 +56,10 @@ impl MotionCore {
     pub(crate) fn from_state(top: &TopCore, state: &State, rate: &str) -> PyResult<Self> {
         let motion = Motion::launch(&top.top, state).map_err(|error| renamed(error, &[("omega", rate)]))?;
         Ok(Self::new(*top, Launch::from(state), motion))
+    }
+
+    pub(crate) fn constants(&self) -> MutexGuard<'_, MotionConstants> {
+        self.constants.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Table in a scalar, set up at its first use.
@@ -83,7 +90,7 @@ impl MotionCore {
     /// # Errors
     /// `ValueError`: one of the times is beyond them.
     pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
-        within(MotionConstants::new(self.motion).furthest_time(), times)
+        within(self.constants().furthest_time(), times)
     }
 }
 
@@ -114,7 +121,7 @@ impl MotionCore {
     /// Constant of this name; NaN where it does not exist.
     pub(crate) fn constant(&self, name: &str) -> f64 {
         let value = number_constants().find(|(known, _)| *known == name);
-        value.map_or(f64::NAN, |(_, value)| value(&MotionConstants::new(self.motion)))
+        value.map_or(f64::NAN, |(_, value)| value(&self.constants()))
     }
 
     #[getter]

@@ -92,7 +92,7 @@ impl StudyOptions {
         // a missing place in the page is reported before the computation
         let page = self.accept.then(|| DocPage::read(page, mark)).transpose()?;
         let Summary { headline, rows, failures } = study()?;
-        let mut table = TextTable::from_rows(&rows, |x| output::significant(x, 2));
+        let mut table = TextTable::from_rows(&rows, 2);
         for heading in &mut table.lines[0] {
             *heading = heading.replace('_', " ");
         }

@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::MotionEphemeris;
-use toytop_host::output::{self, Format, value_text};
+use toytop_host::output::{self, Format};
 use toytop_host::score::trajectory::to_symmetry_axis;
 
 /// Reference values of the heavy tops that integrators are tested with
@@ -100,7 +100,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             about.title,
             about.source,
             about.symmetry_axis,
-            TextTable::from_rows(&lines, value_text).aligned()
+            TextTable::from_rows(&lines, 8).aligned()
         )
     };
     Ok(output::render(*format, &document, &rows, table).into())

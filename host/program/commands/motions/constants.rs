@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::constant_as_json;
-use toytop_host::output::{self, Format, value_text};
+use toytop_host::output::{self, Format, significant};
 use toytop_model::motion_constants::{CONSTANTS, Constant, MotionConstants};
 
 /// First integrals, branch points, period and mean rotations
@@ -38,7 +38,7 @@ pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
             let unit = constant.unit;
             let named = scenario.units == Units::Si
                 || !(unit.contains("kg") || ["s", "1/s", "degrees/s", "turns/min"].contains(&unit));
-            let value = output::text(&values[constant.name], value_text);
+            let value = output::text(&values[constant.name], |x| significant(x, 8));
             [constant.name, value.as_deref().unwrap_or("-"), if named { unit } else { "" }]
                 .map(str::to_owned)
                 .to_vec()

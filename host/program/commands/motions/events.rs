@@ -15,7 +15,7 @@ use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEphemeris, MotionEvent, search};
 use toytop_host::motion::sample::Sample;
-use toytop_host::output::{self, Format, error_text, or_dash, significant, value_text};
+use toytop_host::output::{self, Format, error_text, or_dash, significant};
 
 /// Times of turning points, tilts, circles, tip angles and lift-off
 #[derive(Args)]
@@ -172,8 +172,8 @@ fn columns<'a>(units: Units) -> [Column<EventRow<'a>>; 6] {
         ("event", |row| row.kind.to_owned()),
         ("sense", |row| row.sense.to_owned()),
         (t, |row| significant(row.t, 17)),
-        ("tilt, degrees", |row| value_text(row.tilt_deg)),
-        ("tip angle, degrees", |row| or_dash(row.phi_deg, value_text)),
+        ("tilt, degrees", |row| significant(row.tilt_deg, 8)),
+        ("tip angle, degrees", |row| or_dash(row.phi_deg, |degrees| significant(degrees, 8))),
         (error, |row| or_dash(row.time_error, error_text)),
     ]
 }

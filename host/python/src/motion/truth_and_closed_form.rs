@@ -59,7 +59,7 @@ impl MotionCore {
     /// Samples of the truth at these times.
     fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
         self.within_reach(&t.numbers)?;
-        let (truth, unit) = (py.detach(|| self.truth()), MotionConstants::new(self.motion).time_scale());
+        let (truth, unit) = (py.detach(|| self.truth()), self.constants().time_scale());
         Sampler::by_method(py, t, &self.motion, Some(ROUNDING), |t| {
             (truth.at(&from_f64(t)).to_f64(), truth.rates(&from_f64(t), unit))
         })

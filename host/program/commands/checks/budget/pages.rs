@@ -9,7 +9,6 @@ use std::iter::once;
 use toytop_chips::chip::{Chip, M0PLUS, M4F, M7, RISCV};
 use toytop_chips::costs::Cost;
 use toytop_host::Failure;
-use toytop_host::output::value_text;
 
 /// Part of a page: the page, its mark, and its text.
 pub type Part = (&'static str, &'static str, String);
@@ -38,7 +37,7 @@ pub fn part_with_launches(rows: &[Value]) -> Part {
     ];
     let named = |row: &Value| columns.iter().map(|(name, heading)| (*heading, row[*name].clone())).collect();
     let rows: Vec<Value> = rows.iter().map(named).collect();
-    (COSTS, "toytop budget: launches", TextTable::from_rows(&rows, value_text).markdown())
+    (COSTS, "toytop budget: launches", TextTable::from_rows(&rows, 8).markdown())
 }
 
 /// Writes parts of pages of the repository, after each of them was found to have a place.
@@ -110,7 +109,7 @@ fn table_of_calls(budgets: &Budgets) -> String {
             .chain(COLUMNS.map(figure))
             .collect()
     };
-    TextTable::from_rows(&ROWS.map(row), value_text).markdown()
+    TextTable::from_rows(&ROWS.map(row), 8).markdown()
 }
 
 /// Rows of the front page: chip, call and text.
@@ -126,7 +125,7 @@ fn table_of_front_page(budgets: &Budgets) -> String {
         let Cost { cycles, ram, stack, flash, .. } = budgets.budget(chip.name, call);
         json!({ "at most": what, "cycles": cycles, "kept, bytes": ram, "stack, bytes": stack, "flash, bytes": flash })
     };
-    TextTable::from_rows(&FRONT_ROWS.map(row), value_text).markdown()
+    TextTable::from_rows(&FRONT_ROWS.map(row), 8).markdown()
 }
 
 #[cfg(test)]
