@@ -35,7 +35,10 @@ impl MotionCore {
 
     /// Motion after an impulse at time t.
     fn with_impulse(&self, impulse: [f64; 3], point: [f64; 3], t: f64) -> PyResult<Self> {
-        let struck = self.state(t)?.with_impulse(&self.top.top, &PointImpulse { impulse, point }).map_err(parameter_error)?;
+        let struck = self
+            .state(t)?
+            .with_impulse(&self.top.top, &PointImpulse { impulse, point })
+            .map_err(parameter_error)?;
         Self::from_state(&self.top, &struck, "impulse")
     }
 
@@ -47,8 +50,10 @@ impl MotionCore {
         point: [f64; 3],
         t: f64,
     ) -> PyResult<Bound<'py, Array>> {
-        let reaction =
-            self.state(t)?.reaction_impulse(&self.top.top, &PointImpulse { impulse, point }).map_err(parameter_error)?;
+        let reaction = self
+            .state(t)?
+            .reaction_impulse(&self.top.top, &PointImpulse { impulse, point })
+            .map_err(parameter_error)?;
         array(py, reaction.to_vec(), &[3])
     }
 }
