@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
         println!("tick {}: quaternion {:?}, u = {u}", cursor.tick(), orientation.quaternion());
     }
 
-    // Any other tick costs the same, and the error bound is known before.
+    // Any other tick costs little more, and the error bound is known before.
     let far = table.at_tick(1 << 40);
     println!("tick 2^40, after 35 years: tip {:?} m", far.tip());
     println!("error bound there: {:.1e} rad", table.error_bound_at(1 << 40));

@@ -38,7 +38,7 @@ impl Sign {
     }
 }
 
-/// Signs of l + n and l - n. They are equal if |l| > |n|. The sign of 0 may be chosen; a launch from a state chooses +.
+/// Signs of l + n and l - n. They are equal if |l| > |n|. In a launch from a state, 0 counts as +.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Signs {

@@ -11,7 +11,7 @@ use crate::integer::{product_u32, wrapping_product};
 /// | leading bits                   |
 /// ```
 ///
-/// The rounding of a step causes 4e-17 rad after 2^40 ticks (1.9e-7 rad with 64 bits).
+/// The rounding of a step causes 4e-17 rad after 2^40 ticks. With 64 bits it would be 1.9e-7 rad.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub(crate) struct WrappedPhase {

@@ -25,17 +25,9 @@ mod coefficient_i16;
 mod coefficient_f64;
 
 use crate::complex::Complex;
-use crate::motion::Motion;
-use crate::motion::period::Period;
-use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::{Extended, Float, Real, Ring, Scalar};
+use crate::scalar::{Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
-
-/// Fraction bits of the polynomials from which the coefficients are rounded.
-pub(crate) const TABLE_BITS: u32 = 62;
-/// Unit of these polynomials, 2^-62.
-pub(crate) const TABLE_UNIT: f64 = 1.0 / (1_u64 << TABLE_BITS) as f64;
 
 /// Point of a segment.
 #[derive(Clone, Copy, Debug)]
@@ -50,21 +42,8 @@ pub struct SegmentPoint {
     pub(crate) is_falling: bool,
 }
 
-/// Upper bounds on the rounding errors of a tick.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct EvaluationErrors {
-    /// Orientation error for a body at rest, rad.
-    pub(crate) orientation: f64,
-    /// Orientation error per rad that the body turns in half a segment.
-    pub(crate) per_half_segment: f64,
-    /// Error of the angular velocity, divided by x' + |Λ_α' + Λ_β'|.
-    pub(crate) omega: f64,
-    /// Further error of the angular velocity, relative to its greatest value.
-    pub(crate) relative_omega: f64,
-}
-
-/// Scalar of a table: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
-pub trait TableScalar: Scalar + Into<f64> + 'static {
+/// Scalar of a table that is read: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
+pub trait TickScalar: Scalar + Into<f64> + 'static {
     /// Number in which a tick computes α, β and Ω.
     #[doc(hidden)]
     type Number: TickNumber<Sum = <Self::Coefficient as Coefficient>::Sum, Quantity = Self::Quantity>;
@@ -80,31 +59,12 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
         + 'static;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Quantity: Real;
-    /// Number type of the rates along the path of a set-up. `Extended` for `f64`, because a residual phase may be below 1e-16.
-    #[doc(hidden)]
-    type PathNumber: Float;
-
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
-    /// Truncation error of a table unless another one is chosen, rad.
-    const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Segment whose coefficients are all 0.
     const ZERO_SEGMENT: Self::Segment;
     /// Code of the scalar in [the table format](crate::table_format).
     const CODE: u32;
-    /// Rounding errors of a tick.
-    #[doc(hidden)]
-    const ERRORS: EvaluationErrors;
-
-    /// Nutation period, integrated in as many bits as the table needs.
-    #[doc(hidden)]
-    fn period(
-        motion: &Motion,
-        equations: &PhaseEquations<Extended>,
-        pause: &mut dyn FnMut(),
-    ) -> Option<Period> {
-        motion.period::<1>(equations, pause)
-    }
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: Self::Number) -> Self;
@@ -113,7 +73,7 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
 }
 
-/// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates may be larger than its range, so they have a common power of two as a factor.
+/// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates share an exponent, because they may exceed its range.
 pub trait TickNumber: Ring {
     /// Sum of Horner's rule.
     type Sum;
@@ -163,24 +123,17 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     ) -> Complex<Self::Number>;
     /// Sine and cosine of Λ_β - Λ_α, from the sines and cosines of Λ_α and Λ_β.
     fn sine_cosine_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> [Self::Sum; 2];
-
-    // For the set-up.
-
-    /// Coefficient of x^power nearest to a value in units of 2^-62.
-    fn nearest(value: i64, power: usize) -> Self;
-    /// Error that the coefficients of a polynomial cause, both in units of 2^-62; infinite where a sum could overflow.
-    fn product_error(polynomial: &[i64]) -> f32;
 }
 
 /// Whether 16 bits of x are enough for this power.
 #[inline(always)]
-const fn is_by_16_bits(power: usize, terms: usize) -> bool {
+pub(super) const fn is_by_16_bits(power: usize, terms: usize) -> bool {
     2 * power > terms
 }
 
 /// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
 #[inline(always)]
-pub(crate) fn orientation<R: TableScalar>(
+pub(crate) fn orientation<R: TickScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     [a, b]: [u64; 2],
@@ -194,7 +147,7 @@ pub(crate) fn orientation<R: TableScalar>(
 
 /// Orientation, and Ω over a power of two with its exponent, from the 64 leading bits of the mean phases.
 #[inline(always)]
-pub(crate) fn orientation_and_omega_body<R: TableScalar>(
+pub(crate) fn orientation_and_omega_body<R: TickScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     mean_phases: [u64; 2],
@@ -211,7 +164,7 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
 }
 
 /// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients. The derivatives have a scale of their own.
-pub(crate) fn tabulated_a_b<R: TableScalar>(
+pub(crate) fn tabulated_a_b<R: TickScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {
@@ -270,10 +223,4 @@ fn horner<C, D: Coefficient, const N: usize, const SLOPES: bool>(
         *sum = c.last_step(*sum, x);
     }
     [sums, slopes]
-}
-
-/// Polynomial in units of 2^-62.
-#[cfg(test)]
-fn polynomial_q62<const N: usize>(values: [f64; N]) -> [i64; N] {
-    values.map(|value| (value / TABLE_UNIT) as i64)
 }

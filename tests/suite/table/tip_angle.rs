@@ -1,7 +1,7 @@
 //! The tip angle of a table, continued along the motion, in every scalar.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Stepper, TableScalar, Tick, TipClass};
+use toytop::{Motion, Orientation, State, Stepper, TableScalar, Tick, TipClass};
 use toytop_tests::{
     DIFFERENT, SAME, by_branch_points, check, greater, kilohertz, table_if_it_fits, table_of, tolerance,
     top_of, vectors,
@@ -75,4 +75,14 @@ fn a_slender_top_turns_many_times_a_period() {
         }
     }
     assert!(most_turns > std::f64::consts::PI, "{most_turns}");
+}
+
+/// An upright top that spins: α turns, but there is no tip angle.
+#[test]
+fn a_vertical_axis_has_no_tip_angle_and_no_rate_of_it() {
+    let top = top_of([1.25, 0.75, 0.625, 1.0], 1.0);
+    let state = State::new(Orientation::IDENTITY, [0.0, 0.0, 40.0]).unwrap();
+    let table = table_of::<f64, 8>(&Motion::launch(&top, &state).unwrap(), kilohertz());
+    assert_eq!((table.at_tick(5).tip_angle(), table.mean_tip_angle_rate()), (None, 0.0));
+    assert_ne!(table.at_tick(0).orientation(), table.at_tick(5).orientation());
 }

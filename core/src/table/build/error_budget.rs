@@ -1,7 +1,8 @@
 //! Error budget: the parts of a table share the allowed truncation error.
 
+use crate::table::build::stored_coefficient::TABLE_UNIT;
+use crate::table::build::table_scalar::TableScalar;
 use crate::table::data::cell::MIN_DEPTH;
-use crate::table::evaluation::{TABLE_UNIT, TableScalar};
 
 /// Fraction of the allowed error for all steps along half a period. The segments have the rest.
 const PATH_FRACTION: f64 = 1.0 / 8.0;
@@ -12,7 +13,7 @@ const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
 /// A term of a rate at x = 1 ends its series if it is below this multiple of the error for dropped terms, on a step of one half period.
 ///
-/// Integrated, a term is 3 · 16 · 4 times smaller: the estimated error of a step is then about an eighth of the allowed one.
+/// Integrated, a term is 3 · 16 · 4 times smaller, so that a step errs by about an eighth of its part.
 const NEGLIGIBLE_TERM: f64 = 512.0;
 
 /// Allowed errors of the parts of a table.

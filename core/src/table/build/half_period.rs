@@ -27,8 +27,8 @@ use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
 use crate::scalar::{Extended, Float};
+use crate::table::build::table_scalar::TableScalar;
 use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
-use crate::table::evaluation::TableScalar;
 
 /// Quantities of half a period besides its segments.
 #[derive(Debug)]
@@ -58,7 +58,7 @@ impl HalfPeriod {
         error: 0.0,
     };
 
-    /// Computes all segments, and stores those that fit.
+    /// Computes the segments and stores them; refused as soon as they cannot fit.
     pub(super) fn compute<R: TableScalar>(
         &mut self,
         motion: &Motion,

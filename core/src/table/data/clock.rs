@@ -105,7 +105,7 @@ impl<W: Copy> Clock<W> {
         Phase::from_words(self.tip_start) + whole + part + passages
     }
 
-    /// Increment of the mean tip angle per tick, in turns. It lacks the half turn per period of a parameter that passes through 0.
+    /// Increment of the mean tip angle per tick, in turns. [`Clock::mean_tip`] adds the half turns at zeros of α or β.
     pub(in crate::table) fn exact_tip_step(&self) -> Extended {
         let Phases { nutation, alpha, beta } = self.steps_in_turns();
         alpha + beta - nutation * Extended::from(0.5 * f64::from(self.tip_sign_changes))

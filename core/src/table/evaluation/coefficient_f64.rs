@@ -1,39 +1,19 @@
 //! Evaluation in `f64`.
 
 use crate::complex::Complex;
-use crate::motion::Motion;
-use crate::motion::period::Period;
-use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
+use crate::scalar::{fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
-use crate::table::evaluation::{
-    Coefficient, EvaluationErrors, SegmentPoint, TABLE_UNIT, TableScalar, TickNumber,
-};
+use crate::table::evaluation::{Coefficient, SegmentPoint, TickNumber, TickScalar};
 
-impl TableScalar for f64 {
+impl TickScalar for f64 {
     type Number = Self;
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Quantity = Self;
-    type PathNumber = Extended;
 
     const TERMS: usize = 11;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const CODE: u32 = 64;
-    const ERRORS: EvaluationErrors = EvaluationErrors {
-        orientation: 24.0 * <Self as Scalar>::ROUNDING,
-        per_half_segment: 0.0,
-        omega: 0.0,
-        relative_omega: 11.0 * <Self as Scalar>::ROUNDING,
-    };
-
-    fn period(
-        motion: &Motion,
-        equations: &PhaseEquations<Extended>,
-        pause: &mut dyn FnMut(),
-    ) -> Option<Period> {
-        motion.period::<2>(equations, pause)
-    }
 
     #[inline]
     fn from_number(number: Self) -> Self {
@@ -105,13 +85,5 @@ impl Coefficient for f64 {
     fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> [f64; 2] {
         let difference = Complex::new(cosine_a, sine_a).conj() * Complex::new(cosine_b, sine_b);
         [difference.im, difference.re]
-    }
-
-    fn nearest(value: i64, _: usize) -> Self {
-        value as f64 * TABLE_UNIT
-    }
-
-    fn product_error(_: &[i64]) -> f32 {
-        0.0
     }
 }

@@ -4,7 +4,7 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::su2::Orientation;
 use crate::table::data::Phases;
 use crate::table::data::Table;
-use crate::table::evaluation::TableScalar;
+use crate::table::evaluation::TickScalar;
 use crate::table::read::sample::Sample;
 use core::marker::PhantomData;
 
@@ -24,13 +24,13 @@ use core::marker::PhantomData;
 pub struct Cursor<R> {
     /// Phases of the last tick.
     phases: Phases<WrappedPhase>,
-    /// Number of the last tick, `high + low`. A rare carry needs fewer registers than a number of 64 bits.
+    /// Number of the last tick, `high + low`. A tick then adds 32 bits, and carries every 2^32 ticks.
     low: u32,
     high: i64,
     scalar: PhantomData<fn() -> R>,
 }
 
-impl<R: TableScalar> Cursor<R> {
+impl<R: TickScalar> Cursor<R> {
     /// Sample of the next tick of the table that made the cursor; another table gives a wrong orientation. The sequence has no end
     /// and cannot fail.
     #[inline(always)]
@@ -58,7 +58,7 @@ impl<R: TableScalar> Cursor<R> {
     }
 }
 
-impl<R: TableScalar> Table<R> {
+impl<R: TickScalar> Table<R> {
     /// Cursor whose first sample is at tick `first`.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<R> {
@@ -81,7 +81,7 @@ impl<R: TableScalar> Table<R> {
 
 /// Tick of the last sample.
 #[cfg(feature = "defmt")]
-impl<R: TableScalar> defmt::Format for Cursor<R> {
+impl<R: TickScalar> defmt::Format for Cursor<R> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "cursor at tick {=i64}", self.tick());
     }

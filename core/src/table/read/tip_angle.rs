@@ -8,11 +8,11 @@ use crate::phase::Phase;
 use crate::table::data::Phases;
 use crate::table::data::Table;
 use crate::table::data::cell::is_falling;
-use crate::table::evaluation::{TableScalar, a_b_at_centre, tabulated_a_b};
+use crate::table::evaluation::{TickScalar, a_b_at_centre, tabulated_a_b};
 use crate::table::read::located_segment::LocatedSegment;
 use crate::table::read::sample::Sample;
 
-impl<R: TableScalar> Sample<'_, R> {
+impl<R: TickScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time, modulo 2^32 turns; `None` for an axis that stays vertical.
     ///
     /// * φ(0) is in (-1/2, 1/2] turn.
@@ -30,15 +30,15 @@ impl<R: TableScalar> Sample<'_, R> {
     }
 }
 
-impl<R: TableScalar> Table<R> {
+impl<R: TickScalar> Table<R> {
     /// Mean rate of the tip angle, rad/s; 0 for an axis that stays vertical.
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
-        self.clock.tip_step().to_radians() * ticks_per_time
+        if self.clock.tip_exists { self.clock.tip_step().to_radians() * ticks_per_time } else { 0.0 }
     }
 
-    /// Argument of the tabulated ab, continued from u = e₁ through the centres of all segments before; near 0 the direction from or to 0.
+    /// Argument of the tabulated ab, followed from u = e₁ from segment centre to segment centre. Near ab = 0 it is the direction of the passage.
     pub(in crate::table) fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS_PER_PAUSE: usize = 8;
         let LocatedSegment { rows, point, index: number } = self.segment_at(nutation);
