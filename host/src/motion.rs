@@ -8,6 +8,7 @@
 //! | [`errors`] | errors of samples, and drift of the first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
+//! | [`outwards`] | order of the times for a method that steps |
 //! | [`stepper`] | stepper at given times |
 //! | [`full_equations`] | full 3-D equations at given times |
 
@@ -21,6 +22,8 @@ pub mod errors;
 
 pub mod ephemeris;
 pub mod tip_angle;
+
+pub mod outwards;
 
 pub mod stepper;
 

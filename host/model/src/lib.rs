@@ -2,7 +2,7 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | [`scenario`] | supports by name, top and motion from the numbers of a scenario |
+//! | [`parameters`] | supports by name, top and release from the numbers of a scenario |
 //! | [`equations`] | full 3-D equations of motion |
 //! | [`motion_constants`] | constants of a motion by name, and the ticks of its table |
 //! | [`aperiodic`] | aperiodic motion, which has no table, by its closed form |
@@ -15,5 +15,5 @@
 pub mod aperiodic;
 pub mod equations;
 pub mod motion_constants;
+pub mod parameters;
 pub mod picture_time;
-pub mod scenario;

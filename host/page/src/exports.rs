@@ -3,6 +3,7 @@
 //! A result stays there until the next call, and JavaScript copies the data that it keeps. The functions are exported by their
 //! unmangled names only on WebAssembly, because elsewhere another function could have the same name.
 
+use crate::launch;
 use crate::runge_kutta::RungeKutta;
 use crate::table::{self, PageTable};
 use core::array::from_fn;
@@ -10,8 +11,8 @@ use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError, Support};
 use toytop_model::motion_constants::{MotionConstants, number_constants, regime, tip_class};
+use toytop_model::parameters::{self, SUPPORTS, top_parameters};
 use toytop_model::picture_time::picture_time;
-use toytop_model::scenario::{self, SUPPORTS, top_parameters};
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;
@@ -72,9 +73,9 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
 
 fn launched(support: u32, kind: u32) -> Result<MotionConstants, ParameterError> {
     let support = SUPPORTS.get(support as usize).map_or(Support::Sliding, |(_, support)| *support);
-    let parameters = from_fn(number);
-    let top = scenario::top(support, &top_parameters(parameters))?;
-    let motion = scenario::motion(&top, kind, from_fn(|i| number(parameters.len() + i)))?;
+    let numbers_of_top = from_fn(number);
+    let top = parameters::top(support, &top_parameters(numbers_of_top))?;
+    let motion = launch::motion(&top, kind, from_fn(|i| number(numbers_of_top.len() + i)))?;
     let motion = MotionConstants::new(motion);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)

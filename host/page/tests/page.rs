@@ -3,8 +3,9 @@
 use toytop::scalar::Float;
 use toytop::{Motion, Pose, Release, State, Stepper, Support, TableF64, Top};
 use toytop_model::motion_constants::{MotionConstants, number_constants};
-use toytop_model::scenario::{self, tilt_from_degrees, top_parameters};
+use toytop_model::parameters::{self, tilt_from_degrees, top_parameters};
 use toytop_page::exports::launch_names;
+use toytop_page::launch;
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
 use toytop_page::table::{PageTable, pose_numbers};
 
@@ -16,11 +17,11 @@ const RELEASE: u32 = 0;
 const THROW: [f64; 8] = [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0];
 
 fn top(support: Support, numbers: [f64; 7]) -> Top {
-    scenario::top(support, &top_parameters(numbers)).unwrap()
+    parameters::top(support, &top_parameters(numbers)).unwrap()
 }
 
 fn thrown() -> Motion {
-    scenario::motion(&top(Support::Sliding, TOY_TOP), RELEASE, THROW).unwrap()
+    launch::motion(&top(Support::Sliding, TOY_TOP), RELEASE, THROW).unwrap()
 }
 
 fn constant(motion: &Motion, name: &str) -> f64 {
@@ -52,8 +53,8 @@ fn numbers_make_the_motion_that_names_make() {
     assert_eq!(thrown(), Motion::launch(&top, &state).unwrap());
     let ([alpha, beta], omega) = ([state.orientation().alpha, state.orientation().beta], state.omega());
     let numbers = [alpha.re, alpha.im, beta.re, beta.im, omega[0], omega[1], omega[2], 0.0];
-    assert_eq!(scenario::motion(&top, 1, numbers).unwrap(), thrown());
-    let of_roots = scenario::motion(&top, 2, [0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
+    assert_eq!(launch::motion(&top, 1, numbers).unwrap(), thrown());
+    let of_roots = launch::motion(&top, 2, [0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
     assert_eq!(["e1", "e2", "e3"].map(|name| constant(&of_roots, name)), [0.5, 0.75, 2.0]);
     assert!(constant(&of_roots, "l").abs() < constant(&of_roots, "n").abs());
 }
@@ -79,7 +80,7 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
 #[test]
 fn a_free_body_has_its_angular_momentum() {
     let top = top(Support::Free, [3.0e-5, 2.0e-5, 0.0, 0.0, 0.0, 0.0, 1.0e-3]);
-    let motion = scenario::motion(&top, RELEASE, THROW).unwrap();
+    let motion = launch::motion(&top, RELEASE, THROW).unwrap();
     let state = Stepper::<f64>::new(&motion).attitude_state();
     let (r, omega) = (state.orientation.axis(), state.omega());
     let axial = -1.0e-5 * 150.0 + 1.0e-3;
@@ -97,7 +98,7 @@ fn what_is_no_motion_is_refused_by_its_name() {
     let refused = |i: usize, x: f64| {
         let mut numbers = THROW;
         numbers[i] = x;
-        scenario::motion(&top, RELEASE, numbers).unwrap_err().parameter()
+        launch::motion(&top, RELEASE, numbers).unwrap_err().parameter()
     };
     assert_eq!(
         [refused(0, 180.1), refused(0, -1.0), refused(1, f64::NAN), refused(2, 1e12)],

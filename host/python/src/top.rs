@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use std::iter::once;
 use toml::{Table, Value};
 use toytop::{Support, Top, TopParameters};
-use toytop_model::scenario::{self, support_name, support_named};
+use toytop_model::parameters::{self, support_name, support_named};
 
 /// Rust side of `toytop.Top`.
 #[pyclass(module = "toytop._toytop", frozen, from_py_object)]
@@ -41,7 +41,7 @@ impl TopCore {
         };
         let support = support_named(support)
             .ok_or_else(|| value_error("support", "must be 'sliding', 'fixed' or 'free'"))?;
-        Ok(Self { parameters, top: scenario::top(support, &parameters).map_err(parameter_error)? })
+        Ok(Self { parameters, top: parameters::top(support, &parameters).map_err(parameter_error)? })
     }
 
     /// Support of the tip.

@@ -16,7 +16,7 @@ use serde_json::json;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{InitialAngles, Motion, Top, TopParameters};
-use toytop_model::scenario::SUPPORTS;
+use toytop_model::parameters::SUPPORTS;
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]

@@ -2,8 +2,8 @@
 
 use crate::Failure;
 use crate::input::scenario::{Launch, Scenario};
+use crate::motion::outwards::step_outwards;
 use crate::motion::sample::Sample;
-use crate::motion::stepper::step_outwards;
 use crate::motion::tip_angle::TipAngle;
 use crate::truth::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop::Stepper;

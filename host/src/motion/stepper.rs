@@ -1,6 +1,7 @@
 //! Stepper of the core at given times: equal steps, and one shorter last step to each time.
 
 use crate::Failure;
+use crate::motion::outwards::step_outwards;
 use crate::motion::sample::Sample;
 use std::convert::Infallible;
 use toytop::scalar::Real;
@@ -21,29 +22,6 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
         return Err(Failure::Input(reason));
     }
     Ok(steps as u64)
-}
-
-/// Results of `step_to` at each time, in the order of `times`. The calls go outwards from t = 0, first forward and then backward, each
-/// from `start`.
-///
-/// # Errors
-/// The first error that `step_to` returns.
-pub fn step_outwards<S, T, E>(
-    times: &[f64],
-    start: impl Fn() -> S,
-    mut step_to: impl FnMut(&mut S, f64) -> Result<T, E>,
-) -> Result<Vec<T>, E> {
-    let mut outwards: Vec<(usize, f64)> = times.iter().copied().enumerate().collect();
-    outwards.sort_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
-    let mut results = Vec::with_capacity(times.len());
-    for backwards in [false, true] {
-        let mut state = start();
-        for (index, t) in outwards.iter().filter(|(_, t)| (*t < 0.0) == backwards) {
-            results.push((*index, step_to(&mut state, *t)?));
-        }
-    }
-    results.sort_by_key(|(index, _)| *index);
-    Ok(results.into_iter().map(|(_, result)| result).collect())
 }
 
 /// Samples by the stepper at `times`, in steps of `step`, s. `advanced` is called with the number of steps after each batch.
@@ -165,21 +143,5 @@ mod tests {
         assert_eq!(steps_needed(&[3.0, -2.0, 1.0], 0.5).unwrap(), 13);
         assert!(steps_needed(&[1e10, 1.0], 0.5).is_err());
         assert!(steps_needed(&[-1e10], 0.5).is_err());
-    }
-
-    #[test]
-    fn times_are_visited_outwards_and_returned_in_the_order_of_the_request() {
-        let mut visited = Vec::new();
-        let results = step_outwards(
-            &[2.0, -1.0, 0.5, -3.0, 2.0],
-            || 0.0,
-            |at: &mut f64, t| {
-                visited.push((*at, t));
-                *at = t;
-                Ok::<_, Failure>(10.0 * t)
-            },
-        );
-        assert_eq!(results.unwrap(), [20.0, -10.0, 5.0, -30.0, 20.0]);
-        assert_eq!(visited, [(0.0, 0.5), (0.5, 2.0), (2.0, 2.0), (0.0, -1.0), (-1.0, -3.0)]);
     }
 }

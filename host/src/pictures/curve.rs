@@ -1,7 +1,7 @@
 //! Curve of the tip, and the limits between which the axis and the tip stay.
 
 use crate::Failure;
-use crate::pictures::span::{MAX_CYCLES, MotionSpan};
+use crate::pictures::{MAX_CYCLES, MotionSpan};
 use toytop::{Motion, Support};
 
 /// Kind of a limit of the tilt.

@@ -1,13 +1,14 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
-use crate::drawing::{self, tip};
+use crate::commands::pictures::drawing;
+use crate::commands::pictures::plot::tip;
 use crate::files::whole_file;
 use crate::terminal::stdout::Report;
 use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;
 use toytop_host::input::builtin;
-use toytop_host::pictures::span::{MAX_CYCLES, MotionSpan};
+use toytop_host::pictures::{MAX_CYCLES, MotionSpan};
 
 /// Curves of figures 2 and 3 of the paper, as SVG
 #[derive(Args)]

@@ -2,8 +2,8 @@
 
 use super::problem_files;
 use crate::commands::options::{PICTURE, ending_in};
-use crate::drawing;
-use crate::drawing::chart::{Chart, Curve};
+use crate::commands::pictures::drawing;
+use crate::commands::pictures::drawing::chart::{Chart, Curve};
 use crate::files::whole_file;
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;

@@ -1,18 +1,20 @@
 //! `toytop animate`: a motion as a GIF.
 
+mod film;
+
 use crate::commands::options::{ending_in, time_range};
 use crate::commands::warnings::warnings;
-use crate::drawing::film::Film;
 use crate::files::whole_file;
 use crate::terminal::progress::Progress;
 use crate::terminal::stdout::Report;
 use crate::values::number;
 use clap::Args;
+use film::Film;
 use std::io::BufWriter;
 use std::path::PathBuf;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::pictures::span::MotionSpan;
+use toytop_host::pictures::MotionSpan;
 
 /// Animation of a motion, as a GIF
 #[derive(Args)]

@@ -1,15 +1,27 @@
 //! `toytop plot`: pictures of a motion.
+//!
+//! | module | kinds of picture |
+//! |---|---|
+//! | `tip` | curve of the tip |
+//! | `sphere` | curve of the axis on its sphere |
+//! | `angles` | tilt and precession against time |
+//! | `potential` | effective potential against the tilt |
+
+mod angles;
+mod potential;
+pub mod sphere;
+pub mod tip;
 
 use crate::commands::options::{PICTURE, ending_in, time_range};
+use crate::commands::pictures::drawing;
 use crate::commands::warnings::warnings;
-use crate::drawing::{self, charts, sphere, tip};
 use crate::terminal::stdout::Report;
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
 use std::path::PathBuf;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::pictures::span::{MAX_CYCLES, MotionSpan};
+use toytop_host::pictures::{MAX_CYCLES, MotionSpan};
 
 /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
 ///
@@ -67,13 +79,13 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
         if times.is_some() {
             return Err(Failure::Input("--times: not for --kind potential".to_owned()));
         }
-        return Ok(charts::potential(scenario));
+        return Ok(potential::draw(scenario));
     }
     let span = MotionSpan::new(&scenario.motion, times, MAX_CYCLES)
         .map_err(|failure| failure.with_option_or_motion("--times", &scenario.name))?;
     Ok(match arguments.kind {
-        PlotKind::Tilt => charts::tilt(scenario, &span),
-        PlotKind::Precession => charts::precession(scenario, &span)?,
+        PlotKind::Tilt => angles::tilt(scenario, &span),
+        PlotKind::Precession => angles::precession(scenario, &span)?,
         PlotKind::Axis => sphere::draw(scenario, &span),
         _ => tip::draw(scenario, &span),
     })

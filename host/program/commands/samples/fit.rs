@@ -1,9 +1,10 @@
 //! `toytop fit`: the launch of a top from samples.
 
 mod report;
+mod residuals;
 
 use crate::commands::options::{PICTURE, ending_in};
-use crate::drawing::{self, residuals};
+use crate::commands::pictures::drawing;
 use crate::files::whole_file;
 use crate::terminal::stdout::Report;
 use crate::values::{POSITIVE, number};

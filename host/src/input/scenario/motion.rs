@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{RADIANS, RATE};
 use toytop::{Complex, InitialAngles, Motion, Orientation, Release, Sign, Signs, State, Top};
-use toytop_model::scenario::release_from_degrees;
+use toytop_model::parameters::release_from_degrees;
 
 const RATE_RANGE: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";

@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{ACCELERATION, ANGULAR_MOMENTUM, INERTIA, LENGTH, MASS, MOMENT};
 use toytop::{Support, Top, TopParameters};
-use toytop_model::scenario::{self, SUPPORTS, support_named, top_parameters};
+use toytop_model::parameters::{self, SUPPORTS, support_named, top_parameters};
 
 const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
 
@@ -53,5 +53,5 @@ pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
     if let Some((key, reason)) = fault {
         return Err(section.failure(key, reason));
     }
-    Ok((scenario::top(support, &parameters).map_err(refused)?, parameters))
+    Ok((parameters::top(support, &parameters).map_err(refused)?, parameters))
 }

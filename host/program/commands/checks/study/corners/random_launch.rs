@@ -1,7 +1,7 @@
 //! Random launch: branch points or a state.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use toytop::{Release, State, Stepper, Support, TopParameters};
+use toytop::{InitialAngles, Release, Sign, Signs, State, Stepper, Support, TopParameters};
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::Launch;
 use toytop_host::truth::motion_input::MotionInput;
@@ -13,7 +13,7 @@ const MIN_TILT: f64 = 1e-6;
 /// releases: tilts down to 1e-6 from either vertical, spins from 1e-3 to 1e6 rad/s, and in every second one a top that the paper does
 /// not contain.
 pub fn draw(random: &mut Random) -> MotionInput {
-    let input = MotionInput::random(random);
+    let input = on_branch_points(random);
     if random.one_in(2) {
         return input;
     }
@@ -24,6 +24,36 @@ pub fn draw(random: &mut Random) -> MotionInput {
     let Some(state) = state else { return input };
     let input = MotionInput { launch: Launch::from(&state), ..input };
     if thrown { with_other_top(random, input) } else { input }
+}
+
+/// Random branch points of a sliding top, log-uniform near the degenerate cases: A/(ps) in \[1e-3, 1e6\], C/A in \[1e-3, 2\], 1 + e₁, e₂ - e₁, 1 - e₂
+/// and e₃ - 1 down to 1e-12, and one in sixteen at 0.
+fn on_branch_points(random: &mut Random) -> MotionInput {
+    let [s, p, g] = [(); 3].map(|()| random.log_uniform(0.1, 10.0));
+    let a = random.log_uniform(1e-3, 1e6) * p * s;
+    let c = a * random.log_uniform(1e-3, 2.0);
+    // 1 + e₁, e₂ - e₁ and 1 - e₂ add up to 2
+    let mut gap = || if random.one_in(16) { 0.0 } else { random.log_uniform(1e-12, 1.0) };
+    let [below, swing, above] = [gap(), gap(), gap()];
+    let unit = 0.5 * (below + swing + above).max(1e-12);
+    let e1 = below / unit - 1.0;
+    let e2 = if swing == 0.0 { e1 } else { (1.0 - above / unit).max(e1) };
+    let e3 = if random.one_in(16) { 1.0 } else { 1.0 + random.log_uniform(1e-12, 1e12) };
+    let mut sign = || if random.one_in(2) { Sign::Plus } else { Sign::Minus };
+    let signs = Signs { l_plus_n: sign(), l_minus_n: sign() };
+    let [theta, arg_alpha, arg_beta] = [(); 3].map(|()| random.between(-PI, PI));
+    let at_corner = [0.0, PI].into_iter().find(|_| random.one_in(16));
+    let phases = InitialAngles { theta: at_corner.unwrap_or(theta), arg_alpha, arg_beta };
+    let top = TopParameters {
+        transverse_inertia: a,
+        axial_inertia: c,
+        com_height: s,
+        mass_moment: p,
+        gravity: g,
+        ..TopParameters::default()
+    };
+    let launch = Launch::BranchPoints { e: [e1, e2, e3], signs, phases };
+    MotionInput { support: Support::Sliding, top, launch }
 }
 
 /// Input whose top in every second draw is one that the paper does not contain: with a rotor inside, held, a rod, a ring, free, or a

@@ -1,12 +1,12 @@
 //! Curve of the axis on the unit sphere.
 
 use super::tip::caption;
-use super::{BOUND, CAPTION, CURVE, START, disc, line, text};
+use crate::commands::pictures::drawing::{BOUND, CAPTION, CURVE, START, disc, line, text};
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use toytop_host::input::scenario::Scenario;
+use toytop_host::pictures::MotionSpan;
 use toytop_host::pictures::curve::{LimitKind, TiltLimit};
-use toytop_host::pictures::span::MotionSpan;
 use toytop_model::equations::dot;
 
 const WIDTH: f64 = 720.0;

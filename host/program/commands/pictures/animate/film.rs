@@ -1,14 +1,14 @@
 //! Film of the top in motion, as a GIF.
 
-use super::sphere::{Camera, circle};
-use super::{CAPTION, CURVE, START, disc, raster, text};
+use crate::commands::pictures::drawing::{CAPTION, CURVE, START, disc, raster, text};
+use crate::commands::pictures::plot::sphere::{Camera, circle};
 use crate::terminal::progress::Progress;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};
 use toytop::Support;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::pictures::span::MotionSpan;
+use toytop_host::pictures::MotionSpan;
 
 /// Side of a frame's layout, pixels.
 const SIDE: f64 = 480.0;

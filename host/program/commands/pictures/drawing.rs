@@ -1,23 +1,6 @@
-//! Axes, colours, texts, dots and lines of the drawings, and their files.
-//!
-//! | module | contents |
-//! |---|---|
-//! | `tip` | curve of the tip |
-//! | `sphere` | the axis on its sphere |
-//! | `film` | animation of the top |
-//! | `chart` | curves over linear or logarithmic axes |
-//! | `charts` | tilt and precession against time, effective potential |
-//! | `residuals` | residuals of a fit |
-
-pub mod tip;
-
-pub mod sphere;
-
-pub mod film;
+//! Frames, colours, texts, dots and lines of pictures, and their files.
 
 pub mod chart;
-pub mod charts;
-pub mod residuals;
 
 use crate::files::whole_file;
 use kuva::backend::raster::RasterBackend;

@@ -1,6 +1,6 @@
 //! Picture of a curve, for a white page.
 
-use super::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
+use crate::commands::pictures::drawing::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
 use kuva::plot::scatter::ScatterPlot;
 use kuva::plot::{LegendPosition, LinePlot, LineStyle};
 use kuva::render::plots::Plot;
@@ -9,8 +9,8 @@ use std::f64::consts::PI;
 use toytop::{Sign, Support};
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::output::significant;
+use toytop_host::pictures::MotionSpan;
 use toytop_host::pictures::curve::TipCurve;
-use toytop_host::pictures::span::MotionSpan;
 use toytop_model::motion_constants::tip_class;
 
 /// Sizes of the layout in pixels: side of the square for the curve, and margins around it.

@@ -1,7 +1,7 @@
 //! Picture of the residuals of a fit.
 
-use super::chart::COLORS;
-use super::{BOUND, frame};
+use crate::commands::pictures::drawing::chart::COLORS;
+use crate::commands::pictures::drawing::{BOUND, frame};
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::render::figure::Figure;
