@@ -6,7 +6,6 @@
 #![cfg_attr(target_os = "none", no_std)]
 
 pub mod bits;
-pub mod imu;
 mod top;
 #[path = "tables/toy_top.rs"]
 mod toy_top_table;

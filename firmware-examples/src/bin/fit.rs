@@ -1,7 +1,7 @@
 //! From sensors to a table: a recording in flash is fitted, and a cursor of the fitted launch runs in an interrupt.
 //!
 //! The gyroscope is saturated along the axis, where the top turns at four times its range; its biases are found with
-//! the launch. The fit computes in `f32`. A recording of your own replaces [`imu`], which also has the numbers of the
+//! the launch. The fit computes in `f32`. A recording of your own replaces [`toytop_recording`], which also has the numbers of the
 //! sensors' data sheets.
 
 #![no_std]
@@ -13,8 +13,9 @@ use cortex_m::asm;
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use toytop::{Cursor, Table};
-use toytop_firmware::{entry, exit, imu, set_up, start_systick, toy_top};
+use toytop_firmware::{entry, exit, set_up, start_systick, toy_top};
 use toytop_fit::{Fit, Sensor};
+use toytop_recording::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SAMPLE_RATE, measurements};
 
 /// Frequency of the processor, Hz. The emulated board has 25 MHz.
 const CLOCK: u32 = 25_000_000;
@@ -29,12 +30,12 @@ static FOLLOWER: Mutex<RefCell<Option<Follower>>> = Mutex::new(RefCell::new(None
 
 #[entry]
 fn main() -> ! {
-    let sensors: [&dyn Sensor<f32>; 3] = [&imu::GYROSCOPE, &imu::ACCELEROMETER, &imu::MAGNETOMETER];
+    let sensors: [&dyn Sensor<f32>; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
 
     // the top is known, and its launch is not
     let top = *toy_top().expect("a possible top").top();
     let mut fit = Fit::new(&top, &sensors, &[]).expect("three sensors");
-    let fitted = fit.run(imu::measurements()).expect("finite readings in order");
+    let fitted = fit.run(measurements()).expect("finite readings in order");
     match fitted.warning {
         None => defmt::info!("converged"),
         Some(_) => defmt::error!("not converged"),
@@ -56,10 +57,10 @@ fn main() -> ! {
     defmt::info!("state of the fit: {=usize} bytes", size_of::<Fit<'_, f32>>());
 
     let motion = fitted.motion().expect("a possible launch");
-    let table = set_up(&motion, imu::SAMPLE_RATE);
+    let table = set_up(&motion, SAMPLE_RATE);
     let follower = Follower { table, cursor: table.cursor(0), tick: 0 };
     critical_section::with(|cs| FOLLOWER.replace(cs, Some(follower)));
-    start_systick(CLOCK, imu::SAMPLE_RATE);
+    start_systick(CLOCK, SAMPLE_RATE);
     loop {
         asm::wfi();
         let done = critical_section::with(|cs| {

@@ -120,9 +120,9 @@ impl Chip {
         Self::ALL.iter().filter(|chip| chip.name != M0.name)
     }
 
-    /// First chip of each target.
+    /// First measured chip of each target.
     pub fn one_per_target() -> Vec<&'static Self> {
-        let mut chips: Vec<_> = Self::ALL.iter().collect();
+        let mut chips: Vec<_> = Self::measured().collect();
         chips.dedup_by_key(|chip| chip.target);
         chips
     }

@@ -72,7 +72,7 @@ pub struct BudgetArgs {
 /// File of the limits.
 const LIMITS: &str = "firmware-examples/budgets.toml";
 /// Calls whose flash is measured as the program `flash` minus `empty`: a launch, a table and a tick.
-const SET_UPS: [&str; 5] = ["launch", "new", "slices", "launch_slow", "launch_falling"];
+const SET_UPS: [&str; 5] = ["launch", "new", "launch_in_static", "launch_slow", "launch_falling"];
 
 impl BudgetArgs {
     fn chips(&self) -> Vec<&'static Chip> {
@@ -90,7 +90,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         let costs = measure(chip, elf).map_err(|error| failure(chip, error))?;
         return Ok(report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), costs)])));
     }
-    let root = repository("budget without --elf", "firmware-examples/cost")?;
+    let root = repository("budget without --elf", "firmware-examples/measure/cost")?;
     if arguments.corpus {
         return report_on_launches(arguments, &root, chips);
     }

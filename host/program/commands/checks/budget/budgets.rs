@@ -28,10 +28,14 @@ const HEAD: &str = "\
 #     cargo run --release --bin toytop -- budget --accept
 # which rewrites this file and the tables in host/docs/costs.md and README.md; justify the difference in the commit message.
 #
-# instructions: those executed. cycles: by a model without wait states. stack: as a painted stack shows, bytes. flash: code of every
-# function that a call ran through, and for set-ups code and constants of a program with launch, table and tick minus those of the same
-# program without them, bytes. ram: kept between calls, bytes. Each figure is that of the costliest of several calls.
-# flash_s: that program compiled for little flash (opt-level s); its limit is a promise, without the 5 %.
+# Each figure is that of the costliest of several calls:
+#   instructions  executed
+#   cycles        by a model without wait states
+#   stack         bytes that a painted stack shows as changed
+#   ram           bytes kept between calls
+#   flash         of a tick or step: bytes of every function that the call ran through
+#   flash         of a set-up: bytes of code and constants of a program with launch, table and tick, minus those of the program without them
+# The call flash_s is that program compiled for little flash (opt-level s); its limit is a promise, without the 5 %.
 ";
 
 impl Budgets {

@@ -78,7 +78,7 @@ const ROWS: [(&str, &str); 24] = [
         "set-up, once per launch, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
     ),
     ("new", "set-up of this top, table by value on the stack (`TableF32::new`)"),
-    ("slices", "set-up of this top, whose `Workspace` is kept in static memory"),
+    ("launch_in_static", "set-up of this top, whose `Workspace` is kept in static memory"),
     ("launch_slow", "set-up of the same top at 5 rad/s"),
     ("launch_falling", "set-up of the same top released at 0.057 degrees and 30 rad/s, from where it falls"),
     (
@@ -117,7 +117,7 @@ const FRONT_ROWS: [(Chip, &str, &str); 4] = [
     (M4F, "cursor_f32", "next tick in `f32`, Cortex-M4F"),
     (M0PLUS, "cursor_q31", "next tick in 32-bit fixed point, Cortex-M0+"),
     (M0PLUS, "cursor_q15", "next tick in 16-bit fixed point, Cortex-M0+"),
-    (M4F, "slices", "set-up in static memory, once per launch, Cortex-M4F"),
+    (M4F, "launch_in_static", "set-up in static memory, once per launch, Cortex-M4F"),
 ];
 
 fn table_of_front_page(budgets: &Budgets) -> String {

@@ -1,5 +1,5 @@
 //! Recording of a consumer gyroscope, accelerometer and magnetometer in the units of their registers, made by
-//! `toytop simulate host/scenarios/toy_top.toml --hertz 1000 --duration 0.25 --seed 7`.
+//! `toytop simulate host/scenarios/toy_top.toml --sample-rate 1000 --duration 0.25 --seed 7`.
 
 /// Gyroscope and accelerometer at 1 kHz: x, y, z of each.
 #[rustfmt::skip]

@@ -56,7 +56,7 @@ fn main() -> ! {
     black_box(out);
     launch(&mut meter, "bench_launch_slow", &Measured::slow(), calls::bench_launch_slow);
     launch(&mut meter, "bench_launch_falling", &Measured::falling(), calls::bench_launch_falling);
-    in_slices(&mut meter, &measured);
+    in_static(&mut meter, &measured);
     let motion = measured.motion().expect("a possible top");
     let tick = Tick::hertz(calls::TICK_RATE).expect("positive");
     let double = TableF64::new(&motion, tick).expect("the motion fits");
@@ -96,15 +96,18 @@ fn launch<const SEGMENTS: usize>(
     });
 }
 
-/// Set-up in slices: the set-up counts as memory that is kept, and not as stack.
+/// Set-up in static memory: the workspace counts as memory that is kept, and not as stack.
 #[inline(never)] // their memory must not stay on the stack
-fn in_slices(meter: &mut Meter, measured: &Measured) {
+fn in_static(meter: &mut Meter, measured: &Measured) {
     let top = measured.top().expect("a possible top");
     let input = (top, measured.state().expect("a possible state"));
     let (mut workspace, mut table) = (Workspace::new(), Memory::<25>::new());
     let ram = size_of_val(&workspace) + size_of_val(&table);
-    meter.measure("bench_slices", ram, 1, |_| {
-        assert!(calls::bench_slices(&mut workspace, &mut table, black_box(&input)), "the motion fits");
+    meter.measure("bench_launch_in_static", ram, 1, |_| {
+        assert!(
+            calls::bench_launch_in_static(&mut workspace, &mut table, black_box(&input)),
+            "the motion fits"
+        );
     });
 }
 

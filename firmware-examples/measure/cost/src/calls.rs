@@ -167,7 +167,7 @@ symbols! {
     }
 
     /// Set-up as for `bench_launch`, with memory that a program keeps in a static.
-    fn bench_slices(scratch: &mut Workspace, memory: &mut Memory<25>, launch: &(Top, State)) -> bool {
+    fn bench_launch_in_static(scratch: &mut Workspace, memory: &mut Memory<25>, launch: &(Top, State)) -> bool {
         let (top, state) = launch;
         set_up(memory, scratch, top, state)
     }

@@ -4,27 +4,25 @@
 #![no_std]
 #![no_main]
 
-#[path = "../../../src/imu.rs"]
-mod imu;
 #[path = "../measure.rs"]
 mod measure;
 #[path = "../start.rs"]
 mod start;
-#[path = "../../../src/top.rs"]
-mod top;
 
 use core::hint::black_box;
 
 use semihosting::process;
+use toytop::{Top, TopParameters};
 use toytop_fit::{Fit, Sensor};
+use toytop_recording::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, measurements};
 
 use start::entry;
 
 #[entry]
 fn main() -> ! {
-    let motion = top::toy_top().expect("a possible top");
-    let sensors: [&dyn Sensor<f32>; 3] = [&imu::GYROSCOPE, &imu::ACCELEROMETER, &imu::MAGNETOMETER];
-    let mut fit = Fit::new(motion.top(), &sensors, &[]).expect("three sensors");
+    let top = Top::sliding(&TopParameters::TOY).expect("a possible top");
+    let sensors: [&dyn Sensor<f32>; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+    let mut fit = Fit::new(&top, &sensors, &[]).expect("three sensors");
     let mut meter = measure::Meter::new();
     meter.measure("bench_fit", size_of_val(&fit), 1, |_| {
         assert!(bench_fit(black_box(&mut fit)), "the fit converges");
@@ -35,5 +33,5 @@ fn main() -> ! {
 #[inline(never)]
 #[unsafe(no_mangle)]
 extern "C" fn bench_fit(fit: &mut Fit<'_, f32>) -> bool {
-    fit.run(imu::measurements()).is_ok_and(|fitted| fitted.is_trusted())
+    fit.run(measurements()).is_ok_and(|fitted| fitted.is_trusted())
 }

@@ -1,7 +1,8 @@
 //! Recording of three sensors on a top, and the numbers of their data sheets. A recording of your own replaces it.
 
-#[path = "tables/imu.rs"]
-mod table;
+#![no_std]
+
+mod registers;
 
 use toytop::Orientation;
 use toytop_fit::{Accelerometer, Gyroscope, Magnetometer, Measurement, Mounting, Noise};
@@ -45,21 +46,21 @@ pub const MAGNETOMETER: Magnetometer = Magnetometer {
 /// measurements without reading them.
 pub fn measurements() -> impl Iterator<Item = Measurement> + Clone {
     let mut time = 0.0;
-    (0..3 * table::INERTIAL.len()).filter_map(move |place| {
+    (0..3 * registers::INERTIAL.len()).filter_map(move |place| {
         let (n, sensor) = (place / 3, place % 3);
         if sensor == 0 {
             time = time_of(n);
         }
-        let (gyroscope, accelerometer) = table::INERTIAL.get(n)?.split_at(3);
-        let (registers, unit) = match sensor {
+        let (gyroscope, accelerometer) = registers::INERTIAL.get(n)?.split_at(3);
+        let (reading, unit) = match sensor {
             0 => (gyroscope, GYROSCOPE_UNIT),
             1 => (accelerometer, ACCELEROMETER_UNIT),
-            _ if n % EVERY == 0 => (table::MAGNETIC.get(n / EVERY)?.as_slice(), MAGNETIC_UNIT),
+            _ if n % EVERY == 0 => (registers::MAGNETIC.get(n / EVERY)?.as_slice(), MAGNETIC_UNIT),
             _ => return None,
         };
         // a product in f32 keeps the digits of a register, and is an instruction of a Cortex-M4F
         let mut values = [0.0; 4];
-        for (value, register) in values.iter_mut().zip(registers) {
+        for (value, register) in values.iter_mut().zip(reading) {
             *value = f64::from(f32::from(*register) * unit);
         }
         Some(Measurement { time, sensor, values })
