@@ -5,6 +5,7 @@ use crate::terminal::stdout::Report;
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
+use std::array::from_fn;
 use toytop_host::Failure;
 use toytop_host::output::{self, Format};
 
@@ -52,16 +53,27 @@ struct Erratum {
 /// All errors with a formula that can be evaluated, in the order of the paper.
 fn errata() -> Vec<Erratum> {
     let lines: Vec<_> = table().lines().skip(1).collect();
-    // a residual ends at column 23, and the texts begin at 25
-    let residual = |line: &str| line[14..23].trim_start_matches(['<', ' ']).parse().unwrap_or(f64::NAN);
-    let erratum = |(number, [place, against, printed, corrected]): (_, &[&'static str; 4])| Erratum {
-        number,
-        place: &place[4..],
-        against: &against[25..],
-        printed: &printed[25..],
-        corrected: &corrected[25..],
-        residual_printed: residual(printed),
-        residual_corrected: residual(corrected),
-    };
-    (1..).zip(lines.as_chunks().0).map(erratum).collect()
+    lines.as_chunks().0.iter().map(erratum).collect()
+}
+
+/// Erratum of four lines, whose fields are apart by two spaces or more.
+fn erratum([heading, against, printed, corrected]: &[&'static str; 4]) -> Erratum {
+    fn fields<const N: usize>(line: &'static str) -> [&'static str; N] {
+        let mut fields = line.split("  ").map(str::trim).filter(|field| !field.is_empty());
+        from_fn(|_| fields.next().unwrap_or_default())
+    }
+    let residual = |text: &str| text.trim_start_matches("< ").parse().unwrap_or(f64::NAN);
+    let [number, place] = fields(heading);
+    let [_, against] = fields(against);
+    let [_, residual_printed, printed] = fields(printed);
+    let [_, residual_corrected, corrected] = fields(corrected);
+    Erratum {
+        number: number.parse().unwrap_or_default(),
+        place,
+        against,
+        printed,
+        corrected,
+        residual_printed: residual(residual_printed),
+        residual_corrected: residual(residual_corrected),
+    }
 }
