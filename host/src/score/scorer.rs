@@ -33,7 +33,8 @@ pub struct Score {
     /// Greatest error of u.
     pub max_u_error: f64,
     /// Greatest error of the tip, m, if the file has it.
-    pub max_position_error: Option<f64>,
+    #[serde(rename = "max_position_error")]
+    pub max_tip_error: Option<f64>,
     /// Phase errors over the last nutation period.
     #[serde(flatten)]
     pub phases: PhaseErrors,
@@ -83,10 +84,7 @@ impl<'a> Scorer<'a> {
             rms_error_rad: mean_square.sqrt(),
             final_error_rad: errors.last().map_or(0.0, |[error, _]| *error),
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
-            max_position_error: rows
-                .iter()
-                .filter_map(|row| self.position_error(row))
-                .reduce(greater_or_infinite),
+            max_tip_error: rows.iter().filter_map(|row| self.tip_error(row)).reduce(greater_or_infinite),
             phases: phases::phase_errors(self.motion, &self.table, rows),
             drift_h,
             drift_l,
@@ -103,7 +101,7 @@ impl<'a> Scorer<'a> {
         [orientation_error(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
-    fn position_error(&self, row: &TrajectoryRow) -> Option<f64> {
+    fn tip_error(&self, row: &TrajectoryRow) -> Option<f64> {
         let [x, y] = row.tip?;
         let exact = self.table.pose(row.t).tip;
         Some((x - exact.re).hypot(y - exact.im))
@@ -125,7 +123,7 @@ impl<'a> Scorer<'a> {
         let speed = distance(exact.rates.omega, [0.0; 3])
             .max(2.0 * PI / MotionConstants::new(*self.motion).time_scale());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
-        let position_error = self.position_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
+        let tip_error = self.tip_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
         let reason = if error >= SUSPECT_DISTANCE && inverse < SUSPECT_DISTANCE {
             let transposed = "are the columns from fixed to body coordinates?";
@@ -136,8 +134,8 @@ impl<'a> Scorer<'a> {
             format!(
                 "the angular velocity of the first row is off by {rate_error:.1e} of its size: is it in the frame of its columns, and"
             )
-        } else if position_error >= SUSPECT_DISTANCE {
-            format!("the position of the first row is off by {position_error:.1e} of the length of the top;")
+        } else if tip_error >= SUSPECT_DISTANCE {
+            format!("the position of the first row is off by {tip_error:.1e} of the length of the top;")
         } else {
             return None;
         };

@@ -239,7 +239,7 @@ fn tables(files: &[ScoredFile], integrators: &[Integrator]) -> String {
         ("rms, rad", |file| error_text(file.score.rms_error_rad)),
         ("final, rad", |file| error_text(file.score.final_error_rad)),
         ("u", |file| error_text(file.score.max_u_error)),
-        ("position", |file| or_dash(file.score.max_position_error, error_text)),
+        ("tip", |file| or_dash(file.score.max_tip_error, error_text)),
         ("order", |file| or_dash(file.order, |order| format!("{order:.2}"))),
     ];
     let details: [Column<ScoredFile>; 8] = [

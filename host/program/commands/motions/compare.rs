@@ -129,8 +129,9 @@ fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
         once(name).chain(errors).chain(summary).collect()
     };
     let propagators = motions.iter().take(1).flatten().map(|row| format!("{}{}", prefix(row), row.scalar));
-    let header =
-        once("motion".to_owned()).chain(propagators).chain(["of bound", "ns", "result"].map(str::to_owned));
+    let header = once("motion".to_owned())
+        .chain(propagators)
+        .chain(["error / bound", "ns", "verdict"].map(str::to_owned));
     let lines = once(header.collect()).chain(motions.iter().map(line)).collect();
     format!(
         "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
@@ -152,8 +153,8 @@ fn compare<'a>(
     notes: &mut Vec<String>,
 ) -> Result<Vec<Comparison<'a>>, Failure> {
     let (motion, name, periods) = (&scenario.motion, &*scenario.name, arguments.periods);
-    let is_own = |(own, ..): &&(&str, f64, _)| arguments.scenarios.is_empty() && name == *own;
-    let tight = builtin::NEAR_SEPARATRIX.iter().find(is_own).map(|(.., bounds)| *bounds);
+    let mut near_separatrix = builtin::NEAR_SEPARATRIX.iter().filter(|_| arguments.scenarios.is_empty());
+    let builtin_bounds = near_separatrix.find(|(builtin, ..)| name == *builtin).map(|(.., bounds)| *bounds);
     let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
@@ -174,7 +175,7 @@ fn compare<'a>(
         });
         let errors = greatest_errors(scenario, &run.samples, &times, &mut exact)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
-        let bound_rad = bound(motion, (method, scalar), periods, tight, run.table_bound);
+        let bound_rad = bound(motion, (method, scalar), periods, builtin_bounds, run.table_bound);
         rows.push(Comparison {
             motion: name,
             scalar: scalar.name(),

@@ -48,7 +48,7 @@ const MAX_DISTANCE: f64 = 4.0;
 
 /// Bound on the difference of the core and the full solver, rad; `None` where it exceeds the greatest distance of two orientations.
 ///
-/// * `tight`: those of [`NEAR_SEPARATRIX`](toytop_host::input::builtin::NEAR_SEPARATRIX)
+/// * `builtin_bounds`: those of [`NEAR_SEPARATRIX`](toytop_host::input::builtin::NEAR_SEPARATRIX)
 /// * `table`: bound that the table of an ephemeris states
 ///
 /// Beyond ten periods the bound of the stepper grows with time, and the bound of the full solver, whose energy drifts, with its square.
@@ -56,12 +56,13 @@ pub fn bound(
     motion: &Motion,
     (method, scalar): (Method, Scalar),
     periods: u32,
-    tight: Option<[f64; 2]>,
+    builtin_bounds: Option<[f64; 2]>,
     table: Option<f64>,
 ) -> Option<f64> {
     let growth = (f64::from(periods) / 10.0).max(1.0);
-    let solver = tight.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * growth * growth;
-    let core = match (method, tight, scalar) {
+    let solver =
+        builtin_bounds.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * growth * growth;
+    let core = match (method, builtin_bounds, scalar) {
         (Method::Ephemeris, ..) => table.unwrap_or_default(),
         (_, Some(_), Scalar::F64) => 0.0,
         (_, Some([_, stepper]), _) => stepper * growth,
