@@ -33,7 +33,7 @@ type Sampler = dyn Fn(u64) -> Sample + Sync;
 #[command(
     after_help = "Units: t in s, udot in 1/s, omega in rad/s, tip in m, phi in rad, and all other angles in rad.\n\
         With units = \"none\" in the scenario only angles have a unit.\n\
-        The tip is 2 s alpha beta; with support = \"fixed\" or \"free\" it is 2 alpha beta: minus the horizontal part of the axis.\n\
+        The tip is 2 s alpha beta. Of a held top or free body it is 2 alpha beta, minus the horizontal part of the axis, without unit.\n\
         CSV columns: quaternion is w,x,y,z; omega_body is wx,wy,wz; angles is tilt,azimuth,roll;\n\
         euler_zxz is euler_phi,euler_theta,euler_psi; all others have their JSON names.\n\n\
         Example: toytop state host/scenarios/toy_top.toml --times 0,0.5,1e6 --format json\n         \
