@@ -21,8 +21,8 @@ mod pictures {
     pub mod plot;
     pub mod view;
 }
-/// Samples of sensors, and launches fitted to them.
-mod samples {
+/// Simulated sensors, and launches fitted to the samples of sensors.
+mod sensors {
     pub mod fit;
     pub mod simulate;
 }
@@ -49,7 +49,7 @@ use clap_complete::Shell;
 use integrators::*;
 use motions::*;
 use pictures::*;
-use samples::*;
+use sensors::*;
 use toytop_host::Failure;
 
 /// Function that runs a command from its arguments.
@@ -88,7 +88,7 @@ fn groups() -> [(&'static str, Vec<RunnableCommand>); 6] {
             "Pictures",
             vec![command("plot", plot::run), command("animate", animate::run), command("view", view::run)],
         ),
-        ("Samples", vec![command("simulate", simulate::run), command("fit", fit::run)]),
+        ("Sensors", vec![command("simulate", simulate::run), command("fit", fit::run)]),
         ("Integrators", vec![command("score", score::run), command("benchmark", benchmark::run)]),
         ("Shell", vec![command("completions", completions)]),
         (

@@ -16,8 +16,8 @@ use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::sample::Sample;
 use crate::output::significant;
 use toytop::Motion;
+use toytop_model::display_duration::{cycle, display_duration, periods};
 use toytop_model::motion_constants::MotionConstants;
-use toytop_model::picture_time::{cycle, periods, picture_time};
 
 /// Motion between two times.
 pub struct MotionSpan {
@@ -57,7 +57,8 @@ impl MotionSpan {
             return Err(Failure::Input(format!("{from}..{until}: {reason}")));
         }
         let periods = periods(&constants).filter(|_| times.is_none());
-        let ends = times.unwrap_or_else(|| [0.0, picture_time(&constants, |t| table.pose(t).tip.modulus())]);
+        let ends =
+            times.unwrap_or_else(|| [0.0, display_duration(&constants, |t| table.pose(t).tip.modulus())]);
         Ok(Self { table, ends, periods, cycle })
     }
 

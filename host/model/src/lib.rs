@@ -6,14 +6,14 @@
 //! | [`equations`] | full 3-D equations of motion |
 //! | [`motion_constants`] | constants of a motion by name, and the ticks of its table |
 //! | [`aperiodic`] | aperiodic motion, which has no table, by its closed form |
-//! | [`picture_time`] | time in which a motion shows its form |
+//! | [`display_duration`] | duration that a picture of a motion shows |
 //!
 //! The crate has no `std` and no allocator, because the page has none.
 
 #![no_std]
 
 pub mod aperiodic;
+pub mod display_duration;
 pub mod equations;
 pub mod motion_constants;
 pub mod parameters;
-pub mod picture_time;

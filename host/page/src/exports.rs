@@ -10,9 +10,9 @@ use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError, Support};
+use toytop_model::display_duration::display_duration;
 use toytop_model::motion_constants::{MotionConstants, number_constants, regime, tip_class};
 use toytop_model::parameters::{self, SUPPORTS, top_parameters};
-use toytop_model::picture_time::picture_time;
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;
@@ -62,7 +62,7 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
                 number_constants()
                     .map(|(_, value)| value(&motion))
                     .chain(table.error_bound())
-                    .chain([picture_time(&motion, |t| table.at(t).1.modulus())]),
+                    .chain([display_duration(&motion, |t| table.at(t).1.modulus())]),
             );
             *MOTION.lock() = Some(*motion);
             write_words([regime(motion.regime()), tip_class(motion.tip_class())])

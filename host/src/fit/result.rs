@@ -91,7 +91,7 @@ pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitRe
         }
         _ => ("samples", error.to_string()),
     };
-    let listed = input.sensors.as_core();
+    let listed = input.sensors.as_sensors();
     let mut fit = Fit::new(&input.top, &listed, &ratios).map_err(refuse)?.with_huber(input.huber);
     if let Some(deviation) = input.drift {
         fit = fit.with_losses(deviation).map_err(refuse)?;

@@ -150,7 +150,7 @@ impl Body {
 
 impl Sensors {
     /// Sensors as the core takes them.
-    pub fn as_core(&self) -> Vec<&dyn Sensor> {
+    pub fn as_sensors(&self) -> Vec<&dyn Sensor> {
         self.setups.iter().map(|setup| &*setup.sensor as &dyn Sensor).collect()
     }
 

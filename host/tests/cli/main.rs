@@ -31,8 +31,8 @@ mod pictures {
     pub(crate) mod view;
 }
 
-/// Launches fitted to samples.
-mod samples {
+/// Launches fitted to samples of sensors.
+mod sensors {
     mod fit;
 }
 

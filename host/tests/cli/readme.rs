@@ -4,7 +4,7 @@ use crate::command::{path, read, repository, toytop, write};
 
 #[test]
 fn command_lines_of_the_front_page_are_accepted() {
-    toytop("simulate @toy_top --hertz 1000 --duration 0.3 --seed 7 -o SAMPLES.csv").ok();
+    toytop("simulate @toy_top --sample-rate 1000 --duration 0.3 --seed 7 -o SAMPLES.csv").ok();
     write("RESULT.csv", toytop("state @toy_top --times 0..1/101 --format csv").ok());
     // left over from an earlier run, or never there
     let _ = std::fs::remove_file(path("MAP.csv"));

@@ -1,7 +1,7 @@
 //! `toytop sweep`: many motions, one row for each, in one CSV file.
 
 mod columns;
-mod motions;
+mod rows;
 
 use crate::files::whole_file;
 use crate::terminal::parallel_rows::write_rows;
@@ -9,7 +9,7 @@ use crate::terminal::stdout::{self, Report};
 use crate::values::{LEAST_POSITIVE, Values, number};
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
-use motions::{MAX_MOTIONS, Sweep};
+use rows::{MAX_MOTIONS, Sweep};
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -55,8 +55,8 @@ pub struct SweepArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS, value_parser = SweepColumn::from_str)]
     columns: Vec<SweepColumn>,
     /// Number of times at which each motion is evaluated
-    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
-    samples: u32,
+    #[arg(long, alias = "samples", value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    instants: u32,
     /// Nutation periods over which these times are spread. Without a period, 2 pi sqrt((A/p + s)/g) takes its place
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = number(LEAST_POSITIVE..=1e9), allow_hyphen_values = true)]
     periods: f64,
@@ -97,7 +97,7 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
         arguments.varied(),
         arguments.motions.map(|motions| (motions, arguments.seed)),
         arguments.columns.clone(),
-        (arguments.samples, arguments.periods),
+        (arguments.instants, arguments.periods),
     )?;
     let [part, parts] = arguments.part;
     let count = (sweep.count + parts - part) / parts;

@@ -20,15 +20,15 @@ use toytop_host::pictures::MotionSpan;
 #[derive(Args)]
 #[command(
     after_help = "Each frame shows the top at one exact time. A red spoke of the disc turns with the body.\n\
-        A fast spin needs slow motion: --times 0..0.2 shows a fifth of a second over the whole film.\n\n\
-        Example: toytop animate host/scenarios/toy_top.toml --times 0..0.2 -o top.gif"
+        A fast spin needs slow motion: --span 0..0.2 shows a fifth of a second over the whole film.\n\n\
+        Example: toytop animate host/scenarios/toy_top.toml --span 0..0.2 -o top.gif"
 )]
 pub struct AnimateArgs {
     /// Scenario file
     scenario: PathBuf,
-    /// Times to show, s; by default about one turn of the tip around the centre
-    #[arg(long, value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
-    times: Option<[f64; 2]>,
+    /// First and last time to show, s; by default about one turn of the tip around the centre
+    #[arg(long, alias = "times", value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
+    span: Option<[f64; 2]>,
     /// Length of the film, s
     #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = number(0.1..=600.0))]
     duration: f64,
@@ -47,11 +47,11 @@ const HUNDREDTHS: u16 = 4;
 const FRAMES_PER_CYCLE: u64 = 2;
 
 pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
-    let AnimateArgs { scenario, times, duration, size, output } = arguments;
+    let AnimateArgs { scenario, span, duration, size, output } = arguments;
     let scenario = Scenario::read(scenario)?;
     let frames = (100.0 * duration / f64::from(HUNDREDTHS)).round().max(2.0) as u64;
-    let span = MotionSpan::new(&scenario.motion, *times, (frames / FRAMES_PER_CYCLE) as f64)
-        .map_err(|failure| failure.with_option_or_motion("--times", &scenario.name))?;
+    let span = MotionSpan::new(&scenario.motion, *span, (frames / FRAMES_PER_CYCLE) as f64)
+        .map_err(|failure| failure.with_option_or_motion("--span", &scenario.name))?;
     let film = Film { scenario: &scenario, span: &span, frames, size: *size };
     let progress = Progress::new(frames, "frames");
     whole_file::write_by("--output", output, |file| film.gif(HUNDREDTHS, BufWriter::new(file), &progress))?;

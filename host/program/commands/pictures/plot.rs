@@ -33,16 +33,16 @@ use toytop_host::pictures::{MAX_CYCLES, MotionSpan};
         rho   distance of the tip from the centre, s sqrt(1 - u^2)\n  \
         l, n  angular momenta about the vertical and about the axis of the top\n\n\
         Example: toytop plot host/scenarios/figure_3_loops.toml -o tip.svg\n         \
-        toytop plot host/scenarios/toy_top.toml --kind tilt --times 0..0.5 --size 1200 -o tilt.png")]
+        toytop plot host/scenarios/toy_top.toml --kind tilt --span 0..0.5 --size 1200 -o tilt.png")]
 pub struct PlotArgs {
     /// Scenario file
     scenario: PathBuf,
     /// Kind of picture
     #[arg(long, default_value = "tip")]
     kind: PlotKind,
-    /// Times to draw, s, at most 1000 nutation periods; by default about one turn of the tip around the centre
-    #[arg(long, value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
-    times: Option<[f64; 2]>,
+    /// First and last time to draw, s, at most 1000 nutation periods; by default about one turn of the tip around the centre
+    #[arg(long, alias = "times", value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
+    span: Option<[f64; 2]>,
     /// Width of the picture, pixels
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]
     size: Option<u32>,
@@ -62,7 +62,7 @@ enum PlotKind {
     Tilt,
     /// Azimuth of the axis against time
     Precession,
-    /// Effective potential of the nutation against the tilt, without --times
+    /// Effective potential of the nutation against the tilt, without --span
     Potential,
 }
 
@@ -74,15 +74,15 @@ pub fn run(arguments: &PlotArgs) -> Result<Report, Failure> {
 }
 
 fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
-    let times = arguments.times;
+    let ends = arguments.span;
     if arguments.kind == PlotKind::Potential {
-        if times.is_some() {
-            return Err(Failure::Input("--times: not for --kind potential".to_owned()));
+        if ends.is_some() {
+            return Err(Failure::Input("--span: not for --kind potential".to_owned()));
         }
         return Ok(potential::draw(scenario));
     }
-    let span = MotionSpan::new(&scenario.motion, times, MAX_CYCLES)
-        .map_err(|failure| failure.with_option_or_motion("--times", &scenario.name))?;
+    let span = MotionSpan::new(&scenario.motion, ends, MAX_CYCLES)
+        .map_err(|failure| failure.with_option_or_motion("--span", &scenario.name))?;
     Ok(match arguments.kind {
         PlotKind::Tilt => angles::tilt(scenario, &span),
         PlotKind::Precession => angles::precession(scenario, &span)?,

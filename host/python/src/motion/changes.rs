@@ -10,9 +10,9 @@ use toytop_host::input::scenario::Launch;
 use toytop_host::motion::Scalar;
 
 /// Number of derivatives.
-const COLUMNS: usize = Sensitivity::NAMES.len();
+const DERIVATIVES: usize = Sensitivity::NAMES.len();
 
-fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> impl Iterator<Item = f64> {
+fn by_component<const N: usize>(columns: [[f64; N]; DERIVATIVES]) -> impl Iterator<Item = f64> {
     (0..N).flat_map(move |component| columns.map(|column| column[component]))
 }
 
@@ -20,7 +20,7 @@ fn by_component<const N: usize>(columns: [[f64; N]; COLUMNS]) -> impl Iterator<I
 fn row(partials: &Partials) -> Vec<f64> {
     let vectors = [partials.d_orientation(), partials.d_omega(), partials.d_omega_body(), partials.d_axis()];
     let tip = by_component(partials.d_tip().map(|tip| [tip.re, tip.im]));
-    let angle = partials.d_tip_angle().unwrap_or([f64::NAN; COLUMNS]);
+    let angle = partials.d_tip_angle().unwrap_or([f64::NAN; DERIVATIVES]);
     vectors.into_iter().flat_map(by_component).chain(tip).chain(angle).collect()
 }
 
@@ -30,7 +30,7 @@ impl MotionCore {
     fn partials<'py>(&self, py: Python<'py>, t: NumericArg) -> PyResult<Bound<'py, Array>> {
         let rows = self.partials_at(py, &t.numbers, row)?;
         let rows = rows.ok_or_else(|| value_error("t", "must not be so far"))?;
-        array(py, rows.concat(), &[&t.shape[..], &[15, COLUMNS]].concat())
+        array(py, rows.concat(), &[&t.shape[..], &[15, DERIVATIVES]].concat())
     }
 
     /// Motion after an impulse at time t.

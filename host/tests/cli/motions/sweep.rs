@@ -45,7 +45,7 @@ fn parts_make_the_whole() {
 #[test]
 fn a_row_is_the_scenario_with_its_numbers() {
     let constant = "regime,tip_class,l,n,h,period,alpha_turns,beta_turns,phi_per_period,min_normal_force";
-    let line = format!("@toy_top --columns {constant},u,alpha,beta,tip,phi --samples 3 --periods 2.5");
+    let line = format!("@toy_top --columns {constant},u,alpha,beta,tip,phi --instants 3 --periods 2.5");
     let axes = "--spin 120..180/3 --tilt 0,20 --vary com_height=0.02,0.03";
     let table = sweep("sweep_launches.csv", &format!("{line} {axes}"));
     assert!(table.starts_with("index,spin,tilt_deg,com_height,regime,"), "{table}");
@@ -139,7 +139,7 @@ fn wrong_arguments_are_refused() {
             ("--motions 3 --part 0/4", "I/N with I from 1 to N"),
             ("--motions 3 --part 5/4", "I/N with I from 1 to N"),
             ("--motions 3 --columns colour", "tip_class"),
-            ("--motions 3 --samples 0", "--samples"),
+            ("--motions 3 --samples 0", "--instants"),
             ("--motions 3 --periods -1", "--periods"),
         ],
     );

@@ -5,7 +5,7 @@ use crate::command::{count, folder, path, toytop};
 #[test]
 fn a_gif_shows_the_top_in_motion() {
     folder("animate_gif");
-    let line = "animate @toy_top --times 0..0.1 --duration 0.4 --size 96 -o animate_gif/top.gif";
+    let line = "animate @toy_top --span 0..0.1 --duration 0.4 --size 96 -o animate_gif/top.gif";
     assert_eq!(toytop(line).ok(), "");
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::RGBA);
@@ -32,8 +32,8 @@ fn wrong_arguments_are_refused() {
     for (name, part) in [
         ("top.avi", "must end in .gif"),
         ("top.gif --duration 0", "must be a number from 0.1 to 600"),
-        ("top.gif --times 1..1", "must be LOW..HIGH"),
-        ("top.gif --times 0..1e6", "--times: 0..1e6: must span at most 5.697 (75 nutation periods or turns)"),
+        ("top.gif --span 1..1", "must be LOW..HIGH"),
+        ("top.gif --times 0..1e6", "--span: 0..1e6: must span at most 5.697 (75 nutation periods or turns)"),
         ("no/folder/top.gif --duration 0.1", "no/folder/top.gif"),
     ] {
         toytop(format!("animate @toy_top -o animate_refused/{name}")).refused(2, part);

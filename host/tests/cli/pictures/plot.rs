@@ -113,8 +113,8 @@ fn every_kind_says_what_it_shows() {
     all_refused(
         "plot @sleeping -o a.svg",
         &[
-            ("--times 2..1", "must be LOW..HIGH"),
-            ("--kind tilt --times 0..1e300", "--times: 1e300 must be within"),
+            ("--span 2..1", "must be LOW..HIGH"),
+            ("--kind tilt --times 0..1e300", "--span: 1e300 must be within"),
             ("--size 5", "--size"),
             ("--kind top", "tip, axis, tilt, precession, potential"),
         ],
@@ -133,12 +133,12 @@ fn more_periods_than_a_picture_can_show_are_refused() {
         (&spiral, "tilt", "0..1e5", "8482"),
         (&circle, "axis", "0..1e5", "12180"),
     ] {
-        let line = format!("plot {file} --kind {kind} --times={times} -o plot_periods/a.svg");
+        let line = format!("plot {file} --kind {kind} --span={times} -o plot_periods/a.svg");
         let most = format!("must span at most {longest} (1000 nutation periods or turns)");
-        toytop(line).refused(2, &format!("error: --times: {times}: {most}\n"));
+        toytop(line).refused(2, &format!("error: --span: {times}: {most}\n"));
     }
-    toytop("plot @toy_top --kind potential --times=0..1 -o plot_periods/a.svg")
-        .refused(2, "error: --times: not for --kind potential\n");
+    toytop("plot @toy_top --kind potential --span=0..1 -o plot_periods/a.svg")
+        .refused(2, "error: --span: not for --kind potential\n");
     assert_eq!(count("plot_periods"), 0);
     // a curve with fewer than 32 points in a nutation period (75.96 ms) would show an alias of the motion
     let longest = svg("@toy_top --times=0..75.95", "plot_periods/a.svg");
@@ -158,7 +158,7 @@ fn an_axis_counts_from_its_beginning() {
         ),
         ("tilt", "0..0.2", "t, s"),
     ] {
-        let svg = svg(&format!("@toy_top --kind {kind} --times={times}"), "plot_far/a.svg");
+        let svg = svg(&format!("@toy_top --kind {kind} --span={times}"), "plot_far/a.svg");
         let texts: Vec<_> =
             svg.split("</text>").filter_map(|part| part.rsplit_once('>')).map(|(_, text)| text).collect();
         assert!(titles.split(" ... ").all(|title| texts.contains(&title)), "{titles}: {texts:?}");

@@ -15,7 +15,8 @@ use toytop_host::input::random::Random;
 use toytop_host::score::rotation_between;
 
 /// Sets of sensors that are tried.
-const SETS: [&str; 3] = ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
+const SENSOR_SETS: [&str; 3] =
+    ["gyroscope, accelerometer, magnetometer", "gyroscope, accelerometer", "camera"];
 /// Number of samples of a launch.
 const SAMPLES: u64 = 300;
 /// Rate of the samples, Hz.
@@ -53,7 +54,7 @@ pub fn run(study: &StudyOptions) -> Result<Summary<Row>, Failure> {
         trial(&mut Random::new(study.seed, stream), (stream % 3) as usize, noise)
     })?;
     let (mut rows, mut failures) = (Vec::new(), Vec::new());
-    for (set, name) in SETS.into_iter().enumerate() {
+    for (set, name) in SENSOR_SETS.into_iter().enumerate() {
         let (mut accepted, mut wrong) = (Vec::new(), Vec::new());
         let mut refused = BTreeMap::<_, u64>::new();
         for (launch, trial) in trials.iter().skip(set).step_by(3).enumerate() {
@@ -94,7 +95,7 @@ fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String>
     let sensors = sensors(set, Body::new(motion.top(), height)).map_err(|failure| failure.to_string())?;
     let recording = Recording { hertz: HERTZ, count: SAMPLES, seed };
     let samples = simulate_measurements(&motion, &sensors, &recording).ok_or("not simulated")?;
-    let listed = sensors.as_core();
+    let listed = sensors.as_sensors();
     let mut fit = Fit::new(motion.top(), &listed, &[]).map_err(|error| error.to_string())?;
     let fitted = fit.run(samples.iter().copied()).map_err(|error| error.to_string())?;
     match fitted.warning {

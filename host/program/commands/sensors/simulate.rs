@@ -14,7 +14,7 @@ use toytop_host::input::scenario::Scenario;
 /// Samples of sensors on a top, with noise, bias and limited range
 #[derive(Args)]
 #[command(
-    after_help = "Example: toytop simulate host/scenarios/toy_top.toml --hertz 1000 --duration 1 --seed 7 -o samples.csv"
+    after_help = "Example: toytop simulate host/scenarios/toy_top.toml --sample-rate 1000 --duration 1 --seed 7 -o samples.csv"
 )]
 pub struct SimulateArgs {
     /// Scenario file
@@ -22,9 +22,9 @@ pub struct SimulateArgs {
     /// Sensors; by default a telephone at the centre of mass: gyroscope, accelerometer, magnetometer
     #[arg(long, value_name = "SENSORS.toml")]
     sensors: Option<PathBuf>,
-    /// Number of samples in a second
-    #[arg(long, value_name = "N", default_value_t = 1000.0, value_parser = number(POSITIVE))]
-    hertz: f64,
+    /// Samples per second
+    #[arg(long, alias = "hertz", value_name = "HZ", default_value_t = 1000.0, value_parser = number(POSITIVE))]
+    sample_rate: f64,
     /// Length of the recording, s
     #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = number(POSITIVE))]
     duration: f64,
@@ -43,9 +43,10 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
     let height = scenario.top.com_height;
     let body = Body::new(scenario.motion.top(), height);
     let sensors = Sensors::read(arguments.sensors.as_deref(), body)?;
-    let recording = Recording::new(arguments.hertz, arguments.duration, arguments.seed).ok_or_else(|| {
-        Failure::Input(format!("--hertz, --duration: must give from 1 to {MAX_SAMPLES:e} samples"))
-    })?;
+    let recording =
+        Recording::new(arguments.sample_rate, arguments.duration, arguments.seed).ok_or_else(|| {
+            Failure::Input(format!("--sample-rate, --duration: must give from 1 to {MAX_SAMPLES:e} samples"))
+        })?;
     let samples = simulate_measurements(&scenario.motion, &sensors, &recording).ok_or_else(|| {
         let reason = "the motion has no period, and cannot be followed for so long";
         Failure::Method(format!("{}: {reason}", scenario.name))

@@ -1,4 +1,4 @@
-//! Time in which a motion shows its form.
+//! Duration that a picture of a motion shows.
 
 use crate::motion_constants::{MotionConstants, natural_time};
 use core::f64::consts::PI;
@@ -9,7 +9,7 @@ use toytop::scalar::Float;
 /// the tip of an aperiodic motion stays at the centre.
 ///
 /// * `tip_distance`: distance of the tip from the centre at a time, which only an aperiodic motion needs
-pub fn picture_time(motion: &MotionConstants, tip_distance: impl Fn(f64) -> f64) -> f64 {
+pub fn display_duration(motion: &MotionConstants, tip_distance: impl Fn(f64) -> f64) -> f64 {
     if motion.regime() != Regime::Aperiodic {
         return cycle(motion) * f64::from(periods(motion).unwrap_or(1));
     }
