@@ -21,22 +21,19 @@ macro_rules! symbols {
 mod baselines;
 mod calls;
 mod full_equations;
-mod measure;
-mod start;
 
 use core::hint::black_box;
 use core::mem::size_of_val;
 
 use calls::{Measured, Memory, Output, Reader, Stepping};
 use full_equations::{Constants, Point};
-use measure::Meter;
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
     Motion, Orientation, Phase, Pose, State, TableF32, TableF64, TableQ15, TableQ31, Tick, Workspace,
 };
-
-use start::entry;
+use toytop_cost::entry;
+use toytop_cost::meter::Meter;
 
 /// Number of calls of each kind, of which the costliest counts.
 const CALLS: usize = 8;
@@ -45,7 +42,7 @@ const STRIDE: i64 = 1_000_003;
 
 #[entry]
 fn main() -> ! {
-    let mut meter = Meter::new();
+    let mut meter = Meter::start();
     let measured = Measured::default();
 
     launch(&mut meter, "bench_launch", &measured, calls::bench_launch);

@@ -7,9 +7,6 @@
 #![no_std]
 #![no_main]
 
-#[path = "../start.rs"]
-mod start;
-
 use core::hint::black_box;
 
 use fixed::types::I2F30;
@@ -18,8 +15,7 @@ use toytop::{
     Motion, ParameterError, Release, SizedTable, State, Table, TableMemory, TableScalar, Tick, Top,
     TopParameters, Workspace,
 };
-
-use start::entry;
+use toytop_cost::entry;
 
 const LAUNCHES: u32 = 200;
 

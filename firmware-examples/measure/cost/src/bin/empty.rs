@@ -3,13 +3,10 @@
 #![no_std]
 #![no_main]
 
-#[path = "../start.rs"]
-mod start;
-
 use core::hint::black_box;
 
 use semihosting::process;
-use start::entry;
+use toytop_cost::entry;
 
 #[entry]
 fn main() -> ! {

@@ -4,26 +4,21 @@
 #![no_std]
 #![no_main]
 
-#[path = "../measure.rs"]
-mod measure;
-#[path = "../start.rs"]
-mod start;
-
 use core::hint::black_box;
 
 use semihosting::process;
 use toytop::{Top, TopParameters};
+use toytop_cost::entry;
+use toytop_cost::meter::Meter;
 use toytop_fit::{Fit, Sensor};
 use toytop_recording::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, measurements};
-
-use start::entry;
 
 #[entry]
 fn main() -> ! {
     let top = Top::sliding(&TopParameters::TOY).expect("a possible top");
     let sensors: [&dyn Sensor<f32>; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
     let mut fit = Fit::new(&top, &sensors, &[]).expect("three sensors");
-    let mut meter = measure::Meter::new();
+    let mut meter = Meter::start();
     meter.measure("bench_fit", size_of_val(&fit), 1, |_| {
         assert!(bench_fit(black_box(&mut fit)), "the fit converges");
     });

@@ -4,17 +4,14 @@
 #![no_std]
 #![no_main]
 
-#[path = "../start.rs"]
-mod start;
-
 use core::hint::black_box;
 
 use semihosting::process;
-use start::entry;
 use toytop::{
     Cursor, Motion, ParameterError, Release, State, Table, TableF32, TableMemory, Tick, Top, TopParameters,
     Workspace,
 };
+use toytop_cost::entry;
 
 #[entry]
 fn main() -> ! {

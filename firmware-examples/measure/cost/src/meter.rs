@@ -11,13 +11,14 @@ const DEPTH: usize = 32 * 1024;
 const PAINT: u32 = 0x5afe_c0de;
 
 /// Meter of the calls of one kind after another.
-pub(crate) struct Meter {
+pub struct Meter {
     #[cfg(feature = "dwt")]
     cycles: cycles::Counter,
 }
 
 impl Meter {
-    pub(crate) fn new() -> Self {
+    /// Meter, whose counter of cycles runs.
+    pub fn start() -> Self {
         Self {
             #[cfg(feature = "dwt")]
             cycles: cycles::Counter::start(),
@@ -27,7 +28,7 @@ impl Meter {
     /// Runs `call` several times and prints the costs of the costliest one. `ram` is the memory that is kept
     /// between the calls, bytes.
     #[inline(never)]
-    pub(crate) fn measure(&mut self, name: &str, ram: usize, calls: usize, mut call: impl FnMut(usize)) {
+    pub fn measure(&mut self, name: &str, ram: usize, calls: usize, mut call: impl FnMut(usize)) {
         let top = stack_pointer();
         paint(top);
         #[cfg(feature = "dwt")]
