@@ -54,7 +54,7 @@ fn write(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(), Fai
     }
 }
 
-/// Writes a complete file, or stdout where the path is `-` or absent.
+/// Writes the complete file of `--output`, or stdout where the path is `-` or absent.
 ///
 /// # Errors
 /// The failures of [`whole_file::write_by`], or [`Failure::Output`]: the error of `fill` on stdout.
