@@ -4,23 +4,10 @@ use crate::Failure;
 use crate::pictures::{MAX_CYCLES, MotionSpan};
 use toytop::{Motion, Support};
 
-/// Kind of a limit of the tilt.
-#[derive(Clone, Copy, PartialEq)]
-pub enum LimitKind {
-    /// u = e₁.
-    GreatestTilt,
-    /// u = e₂.
-    LeastTilt,
-    /// u = e₁ = e₂.
-    Constant,
-    /// u = 0.
-    Horizontal,
-}
-
 /// Limit of the tilt.
 pub struct TiltLimit {
-    /// Kind.
-    pub kind: LimitKind,
+    /// `lowest` (u = e₁), `highest` (u = e₂), `constant` (u = e₁ = e₂) or `horizontal` (u = 0).
+    pub name: &'static str,
     /// Cosine u of the tilt, from -1 to 1.
     pub u: f64,
     /// Sine of the tilt.
@@ -31,17 +18,17 @@ impl TiltLimit {
     /// Lowest limit, then the highest; one limit where the tilt is constant, none where the axis is vertical at all times.
     pub fn all(motion: &Motion) -> Vec<Self> {
         let e = motion.branch_points();
-        let limit = |kind, u: f64, sine_squared: f64| Self {
-            kind,
+        let limit = |name, u: f64, sine_squared: f64| Self {
+            name,
             u: u.clamp(-1.0, 1.0),
             sine: sine_squared.max(0.0).sqrt(),
         };
-        let lowest = limit(LimitKind::GreatestTilt, e.e1, e.one_plus_e1 * (2.0 - e.one_plus_e1));
-        let highest = |kind| limit(kind, e.e2, (2.0 - e.one_minus_e2) * e.one_minus_e2);
+        let lowest = limit("lowest", e.e1, e.one_plus_e1 * (2.0 - e.one_plus_e1));
+        let highest = |name| limit(name, e.e2, (2.0 - e.one_minus_e2) * e.one_minus_e2);
         match motion.regime() {
             regime if regime.is_vertical() => Vec::new(),
-            regime if regime.is_regular_precession() => vec![highest(LimitKind::Constant)],
-            _ => vec![lowest, highest(LimitKind::LeastTilt)],
+            regime if regime.is_regular_precession() => vec![highest("constant")],
+            _ => vec![lowest, highest("highest")],
         }
     }
 }
@@ -49,13 +36,7 @@ impl TiltLimit {
 /// Name and tilt, as in `lowest: tilt 45.57°`.
 impl std::fmt::Display for TiltLimit {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let name = match self.kind {
-            LimitKind::GreatestTilt => "lowest",
-            LimitKind::LeastTilt => "highest",
-            LimitKind::Constant => "constant",
-            LimitKind::Horizontal => "horizontal",
-        };
-        write!(f, "{name}: tilt {:.2}°", self.u.acos().to_degrees())
+        write!(f, "{}: tilt {:.2}°", self.name, self.u.acos().to_degrees())
     }
 }
 
@@ -85,7 +66,7 @@ impl TipCurve {
             && low.u < 0.0
             && high.u > 0.0
         {
-            limits.push(TiltLimit { kind: LimitKind::Horizontal, u: 0.0, sine: 1.0 });
+            limits.push(TiltLimit { name: "horizontal", u: 0.0, sine: 1.0 });
         }
         let circles: Vec<_> = limits
             .into_iter()

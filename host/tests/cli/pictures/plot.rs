@@ -90,7 +90,10 @@ fn every_kind_says_what_it_shows() {
         ("@toy_top --times 1e6..1000000.2", "t = 1e6 to 1.0000002e6 s"),
         ("@lagrange", ">axis< ... tip held ... not >tip<"),
         ("@lagrange --kind axis", "the axis on the unit sphere ... lowest: tilt 27.55°"),
-        ("@toy_top --kind tilt", "t, s ... tilt, degrees ... >least: 20.00°< ... >greatest: 22.23°<"),
+        (
+            "@toy_top --kind tilt",
+            "t, s ... tilt, degrees ... >highest: tilt 20.00°< ... >lowest: tilt 22.23°<",
+        ),
         ("@toy_top --kind precession", "azimuth of the axis, degrees ... its mean: 296.3 degrees/s"),
         ("@toy_top --kind potential", "effective potential minus the energy h, mJ"),
         ("@sleeping", "the tip rests ... l - n = 0, ... not #8a8a8a"),

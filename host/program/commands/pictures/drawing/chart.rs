@@ -62,6 +62,11 @@ const MARKS: [MarkerShape; 5] = [
 ];
 
 impl Chart<'_> {
+    /// Draws curves over linear axes.
+    pub fn draw_linear(title: &str, labels: [&str; 2], curves: &[Curve]) -> Scene {
+        Chart { title, labels, logarithmic: false }.draw(curves)
+    }
+
     /// Draws the curves. A logarithmic axis ends at whole powers of ten; another one of y has a margin.
     pub fn draw(&self, curves: &[Curve]) -> Scene {
         let mut plots: Vec<Plot> = Vec::new();

@@ -8,7 +8,7 @@ use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::euler_angles::tilt_azimuth_roll;
 use toytop_host::output::significant;
 use toytop_host::pictures::MotionSpan;
-use toytop_host::pictures::curve::{LimitKind, TiltLimit};
+use toytop_host::pictures::curve::TiltLimit;
 
 /// Subtraction of a number, for a label; empty for 0.
 fn minus(x: f64, unit: &str) -> String {
@@ -21,11 +21,6 @@ fn time_label(scenario: &Scenario, from: f64) -> String {
     if from == 0.0 { format!("t{unit}") } else { format!("t{}", minus(from, scenario.units.name(" s"))) }
 }
 
-/// Chart over linear axes.
-fn chart(title: &str, labels: [&str; 2], curves: &[Curve]) -> Scene {
-    Chart { title, labels, logarithmic: false }.draw(curves)
-}
-
 /// Tilt between its limits, against time.
 pub fn tilt(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let [from, until] = span.ends;
@@ -36,15 +31,10 @@ pub fn tilt(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];
     curves.extend(TiltLimit::all(&scenario.motion).into_iter().map(|limit| {
         let tilt = limit.u.acos().to_degrees();
-        let name = match limit.kind {
-            LimitKind::GreatestTilt => "greatest",
-            LimitKind::LeastTilt => "least",
-            LimitKind::Constant | LimitKind::Horizontal => "constant",
-        };
-        Curve::line(format!("{name}: {tilt:.2}°"), vec![[0.0, tilt], [until - from, tilt]])
+        Curve::line(limit.to_string(), vec![[0.0, tilt], [until - from, tilt]])
     }));
     let title = format!("{}: tilt of the axis from the vertical", scenario.name);
-    chart(&title, [&time_label(scenario, from), "tilt, degrees"], &curves)
+    Chart::draw_linear(&title, [&time_label(scenario, from), "tilt, degrees"], &curves)
 }
 
 /// Angle in degrees, rounded to nine decimals: the azimuth of an axis that stays in a plane is constant except for rounding. The added 0
@@ -81,6 +71,9 @@ pub fn precession(scenario: &Scenario, span: &MotionSpan) -> Result<Scene, Failu
         curves.push(Curve::line(format!("its mean: {}{unit}", significant(rate, 4)), mean));
     }
     let title = format!("{}: precession", scenario.name);
-    let label = format!("azimuth of the axis{}, degrees", minus(turns, " turns"));
-    Ok(chart(&title, [&time_label(scenario, from), &label], &curves))
+    Ok(Chart::draw_linear(
+        &title,
+        [&time_label(scenario, from), &format!("azimuth of the axis{}, degrees", minus(turns, " turns"))],
+        &curves,
+    ))
 }

@@ -35,8 +35,11 @@ pub fn draw(scenario: &Scenario) -> Scene {
         Curve::dots("least, greatest tilt", limits),
     ];
     let title = format!("{}: effective potential of the nutation", scenario.name);
-    let label = format!("effective potential minus the energy h{unit}");
-    Chart { title: &title, labels: ["tilt, degrees", &label], logarithmic: false }.draw(&curves)
+    Chart::draw_linear(
+        &title,
+        ["tilt, degrees", &format!("effective potential minus the energy h{unit}")],
+        &curves,
+    )
 }
 
 /// Effective potential at a cosine of the tilt between -1 and 1, without cancellation near -1 and 1.

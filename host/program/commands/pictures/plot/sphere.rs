@@ -6,7 +6,7 @@ use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::pictures::MotionSpan;
-use toytop_host::pictures::curve::{LimitKind, TiltLimit};
+use toytop_host::pictures::curve::TiltLimit;
 use toytop_model::equations::dot;
 
 const WIDTH: f64 = 720.0;
@@ -32,12 +32,13 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     camera.line(picture, &[[0.0, 0.0, 1.0], [0.0, 0.0, 1.12]], BOUND, 1.2);
     let (x, y) = camera.project([0.0, 0.0, 1.15]);
     text(picture, "up", [x, y - 2.0], 12, middle, CAPTION);
-    let (_, highest) = camera.project([0.0, 0.0, scenario.motion.branch_points().e2]);
+    let e2 = scenario.motion.branch_points().e2;
+    let (_, highest) = camera.project([0.0, 0.0, e2]);
     for limit in TiltLimit::all(&scenario.motion) {
         camera.line_on_sphere(picture, &circle(limit.sine, limit.u), ["#6a6a6a", "#cfcfcf"], 1.2);
         // beside the sphere, with a line from the right end of the parallel
         let (x, y) = camera.project([0.0, 0.0, limit.u]);
-        let label = if limit.kind == LimitKind::GreatestTilt { y.max(highest + 18.0) } else { y };
+        let label = if limit.u < e2 { y.max(highest + 18.0) } else { y };
         let ends = [(x + RADIUS * limit.sine + 3.0, y), (LABELS - 6.0, label - 4.0)];
         line(picture, ends.into(), "#cfcfcf", 1.0);
         text(picture, &limit.to_string(), [LABELS, label], 12, TextAnchor::Start, "#333333");
