@@ -51,12 +51,13 @@ pub fn release_from_degrees(release: Release) -> Release {
 
 /// Tilt in rad. Exactly 180 degrees become π, which means exactly downward, and no other number does.
 pub fn tilt_from_degrees(degrees: f64) -> f64 {
+    let tilt = degrees.to_radians();
     if degrees < 180.0 {
-        degrees.to_radians().min(PI.next_down())
+        tilt.min(PI.next_down())
     } else if degrees == 180.0 {
         PI
     } else {
-        degrees.to_radians()
+        tilt
     }
 }
 

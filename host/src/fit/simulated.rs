@@ -8,8 +8,8 @@ use toytop_fit::{Measurement, Partials, Sensitivity};
 
 /// Times of a recording.
 pub struct Recording {
-    /// Samples a second.
-    pub hertz: f64,
+    /// Samples per second.
+    pub sample_rate: f64,
     /// Number of samples.
     pub count: u64,
     /// Seed of the noise.
@@ -21,10 +21,10 @@ pub const MAX_SAMPLES: f64 = 1e7;
 
 impl Recording {
     /// Times of a recording of this duration, s; `None` where this is not from 1 to [`MAX_SAMPLES`] samples.
-    pub fn new(hertz: f64, duration: f64, seed: u64) -> Option<Self> {
-        let count = (hertz * duration).round();
-        let possible = hertz > 0.0 && (1.0..=MAX_SAMPLES).contains(&count);
-        possible.then_some(Self { hertz, count: count as u64, seed })
+    pub fn new(sample_rate: f64, duration: f64, seed: u64) -> Option<Self> {
+        let count = (sample_rate * duration).round();
+        let possible = sample_rate > 0.0 && (1.0..=MAX_SAMPLES).contains(&count);
+        possible.then_some(Self { sample_rate, count: count as u64, seed })
     }
 }
 
@@ -44,7 +44,7 @@ pub fn simulate_measurements(
     // angles of the marks at the sample before
     let mut before: Vec<Option<f64>> = vec![None; setups.len()];
     for n in 0..recording.count {
-        let time = n as f64 / recording.hertz;
+        let time = n as f64 / recording.sample_rate;
         let partials = cursor.advance_to(time + sensors.jitter * normal(&mut random))?;
         let dropped = random.uniform() < sensors.dropped;
         for (sensor, setup) in setups.iter().enumerate() {
@@ -55,7 +55,8 @@ pub fn simulate_measurements(
                 let ahead = |time| Some(difference(&sensitivity.at(time)?)[0]);
                 let [now, ..] = difference(&partials);
                 if let Some(before) = before[sensor].replace(now)
-                    && let Some(passage) = passage(ahead, [time - 1.0 / recording.hertz, time], [before, now])
+                    && let Some(passage) =
+                        passage(ahead, [time - 1.0 / recording.sample_rate, time], [before, now])
                 {
                     let time = passage + noise.deviation * normal(&mut random);
                     measurements.push(Measurement { time, sensor, values: [0.0; 4] });

@@ -1,7 +1,6 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
-use crate::commands::pictures::drawing;
-use crate::commands::pictures::plot::tip;
+use crate::commands::pictures::{drawing, plot::tip};
 use crate::files::whole_file;
 use crate::terminal::stdout::Report;
 use clap::Args;

@@ -8,6 +8,7 @@ use crate::values::{Values, counted_values};
 use clap::Args;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
+use std::iter::once;
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::MotionEphemeris;
@@ -39,20 +40,12 @@ pub struct BenchmarkArgs {
 const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
 
 /// Numbers at one time, by [`COLUMNS`]: texts of 30 digits, or numbers of the ephemeris.
-struct BenchmarkRow([Value; 11]);
+struct BenchmarkRow(Vec<Value>);
 
 impl Serialize for BenchmarkRow {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.collect_map(COLUMNS.iter().zip(&self.0))
     }
-}
-
-/// Number of a table that has a line for each.
-#[derive(Serialize)]
-struct Line<'a> {
-    t: &'a Value,
-    quantity: &'static str,
-    value: &'a Value,
 }
 
 /// Problem of the list. The names are the keys of JSON.
@@ -91,7 +84,11 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
         let mut lines = Vec::new();
         for BenchmarkRow(numbers) in &rows {
             let named = COLUMNS.into_iter().zip(numbers).skip(1);
-            lines.extend(named.map(|(quantity, value)| Line { t: &numbers[0], quantity, value }));
+            lines.extend(
+                named.map(
+                    |(quantity, value)| json!({ "t": numbers[0], "quantity": quantity, "value": value }),
+                ),
+            );
         }
         format!(
             "{}\n{}\n\nThe third fixed axis points up, body axis {} from the tip to the centre of mass. x_com, y_com, z_com: of the\n\
@@ -131,10 +128,9 @@ fn list_problems(format: Format) -> Result<Report, Failure> {
 
 /// Values of a sample with 30 digits.
 fn reference_row(sample: &ReferenceSample) -> BenchmarkRow {
-    let ReferenceSample { t, position: [x_com, y_com, z_com], quaternion: [w, x, y, z], omega_body } = sample;
-    let [wx, wy, wz] = omega_body;
-    let texts = [t, x_com, y_com, z_com, w, x, y, z, wx, wy, wz];
-    BenchmarkRow(texts.map(|text| Value::from(&**text)))
+    let ReferenceSample { t, position, quaternion, omega_body } = sample;
+    let texts = once(t).chain(position).chain(quaternion).chain(omega_body);
+    BenchmarkRow(texts.map(|text| Value::from(&**text)).collect())
 }
 
 /// Values of the ephemeris at any times, with 17 digits.
@@ -147,10 +143,10 @@ fn computed_rows(problem: &Problem, times: &Values) -> Result<Vec<BenchmarkRow>,
     let row = |t: &f64| {
         let sample = table.at(*t);
         let orientation = sample.pose.orientation.compose(&to_symmetry_axis(about.symmetry_axis));
-        let [x_com, y_com, z_com] = sample.pose.orientation.axis().map(|x| about.length * x);
-        let [w, x, y, z] = orientation.quaternion();
-        let [wx, wy, wz] = orientation.inverse().adjoint(sample.rates.omega);
-        BenchmarkRow([*t, x_com, y_com, z_com, w, x, y, z, wx, wy, wz].map(Value::from))
+        let position = sample.pose.orientation.axis().map(|x| about.length * x);
+        let omega_body = orientation.inverse().adjoint(sample.rates.omega);
+        let numbers = once(*t).chain(position).chain(orientation.quaternion()).chain(omega_body);
+        BenchmarkRow(numbers.map(Value::from).collect())
     };
     Ok(times.seconds.iter().map(row).collect())
 }

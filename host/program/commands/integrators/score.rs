@@ -2,8 +2,10 @@
 
 use super::problem_files;
 use crate::commands::options::{PICTURE, ending_in};
-use crate::commands::pictures::drawing;
-use crate::commands::pictures::drawing::chart::{Chart, Curve};
+use crate::commands::pictures::drawing::{
+    self,
+    chart::{Chart, Curve},
+};
 use crate::files::whole_file;
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
@@ -130,17 +132,16 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         let given = [(steps.get(index).copied(), "option"), (step, "file"), (spacing, "rows")];
         let (step, step_from) = given.into_iter().find_map(|(step, source)| Some((step?, source))).unzip();
         let end = rows.last().map_or(0.0, |row| row.t);
-        let (rows, method_order, order) = (rows.len(), None, None);
         files.push(ScoredFile {
             name,
             method,
-            rows,
+            rows: rows.len(),
             step,
             step_from,
             evaluations,
             score,
-            method_order,
-            order,
+            method_order: None,
+            order: None,
             end,
         });
     }
@@ -174,8 +175,8 @@ fn measure_orders(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<I
         let count = files.len();
         let first = files[0].end;
         if let Some(other) = files.iter().find(|file| (file.end - first).abs() > 1e-6 * first.abs()) {
-            let [first, other] = [&files[0].name, &other.name];
-            warnings.push(format!("warning: no order: {first} and {other} end at different times"));
+            let both = format!("{} and {}", files[0].name, other.name);
+            warnings.push(format!("warning: no order: {both} end at different times"));
             return Integrator { method, files: count, order: None };
         }
         // files without a step come last

@@ -153,8 +153,8 @@ fn compare<'a>(
     notes: &mut Vec<String>,
 ) -> Result<Vec<Comparison<'a>>, Failure> {
     let (motion, name, periods) = (&scenario.motion, &*scenario.name, arguments.periods);
-    let mut near_separatrix = builtin::NEAR_SEPARATRIX.iter().filter(|_| arguments.scenarios.is_empty());
-    let builtin_bounds = near_separatrix.find(|(builtin, ..)| name == *builtin).map(|(.., bounds)| *bounds);
+    let named = builtin::NEAR_SEPARATRIX.iter().find(|(builtin, ..)| *builtin == name);
+    let builtin_bounds = named.filter(|_| arguments.scenarios.is_empty()).map(|(.., bounds)| *bounds);
     let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);

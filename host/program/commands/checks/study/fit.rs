@@ -20,7 +20,7 @@ const SENSOR_SETS: [&str; 3] =
 /// Number of samples of a launch.
 const SAMPLES: u64 = 300;
 /// Rate of the samples, Hz.
-const HERTZ: f64 = 1000.0;
+const SAMPLE_RATE: f64 = 1000.0;
 /// Square of the normalised error beyond which an accepted launch counts as wrong: the probability of a larger one is below 1e-9.
 const WRONG: f64 = 56.0;
 /// 95 % quantiles of the chi-squared distributions of 1 to 6 degrees of freedom.
@@ -93,7 +93,7 @@ fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String>
     let (motion, state, height) =
         std::iter::repeat_with(|| draw(random)).flatten().next().ok_or("no launch")?;
     let sensors = sensors(set, Body::new(motion.top(), height)).map_err(|failure| failure.to_string())?;
-    let recording = Recording { hertz: HERTZ, count: SAMPLES, seed };
+    let recording = Recording { sample_rate: SAMPLE_RATE, count: SAMPLES, seed };
     let samples = simulate_measurements(&motion, &sensors, &recording).ok_or("not simulated")?;
     let listed = sensors.as_sensors();
     let mut fit = Fit::new(motion.top(), &listed, &[]).map_err(|error| error.to_string())?;

@@ -1,7 +1,6 @@
 //! Picture of the residuals of a fit.
 
-use crate::commands::pictures::drawing::chart::COLORS;
-use crate::commands::pictures::drawing::{BOUND, frame};
+use crate::commands::pictures::drawing::{BOUND, chart::COLORS, frame};
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::render::figure::Figure;

@@ -39,7 +39,7 @@ fn on_branch_points(random: &mut Random) -> MotionInput {
     let e1 = below / unit - 1.0;
     let e2 = if swing == 0.0 { e1 } else { (1.0 - above / unit).max(e1) };
     let e3 = if random.one_in(16) { 1.0 } else { 1.0 + random.log_uniform(1e-12, 1e12) };
-    let mut sign = || if random.one_in(2) { Sign::Plus } else { Sign::Minus };
+    let mut sign = || Sign::new(random.sign());
     let signs = Signs { l_plus_n: sign(), l_minus_n: sign() };
     let [theta, arg_alpha, arg_beta] = [(); 3].map(|()| random.between(-PI, PI));
     let at_corner = [0.0, PI].into_iter().find(|_| random.one_in(16));
