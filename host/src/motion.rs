@@ -29,9 +29,9 @@ pub mod stepper;
 
 pub mod full_equations;
 
-pub use toytop_model::motion_constants::{MotionConstants, regime, tilts};
+pub use toytop_model::timed_motion::{TimedMotion, regime, tilts};
 
-use toytop_model::motion_constants::{Constant, Value};
+use toytop_model::timed_motion::{Constant, Value};
 
 /// Scalar types of the core.
 #[derive(Clone, Copy, PartialEq)]
@@ -63,7 +63,7 @@ impl Scalar {
 }
 
 /// Value of a constant in JSON; null where the motion does not have it.
-pub fn constant_as_json(constant: &Constant, motion: &MotionConstants) -> serde_json::Value {
+pub fn constant_as_json(constant: &Constant, motion: &TimedMotion) -> serde_json::Value {
     match constant.value {
         Value::Number(value) => value(motion).into(),
         Value::Word(value) => value(motion).into(),

@@ -17,11 +17,11 @@ use crate::motion::sample::Sample;
 use crate::output::significant;
 use toytop::Motion;
 use toytop_model::display_duration::{cycle, display_duration, periods};
-use toytop_model::motion_constants::MotionConstants;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Motion between two times.
 pub struct MotionSpan {
-    table: MotionEphemeris,
+    ephemeris: MotionEphemeris,
     /// First and last time, s.
     pub ends: [f64; 2],
     /// Number of nutation periods, where they determine the last time.
@@ -43,9 +43,9 @@ impl MotionSpan {
     /// [`Failure::Input`]: times beyond the reach of the ephemeris, or too many cycles. [`Failure::Method`]: no ephemeris is large
     /// enough.
     pub fn new(motion: &Motion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
-        let table = MotionEphemeris::new(motion, Scalar::F64)?;
-        require_within(times.into_iter().flatten(), table.furthest_time(), " s")?;
-        let constants = MotionConstants::new(*motion);
+        let ephemeris = MotionEphemeris::new(motion, Scalar::F64)?;
+        require_within(times.into_iter().flatten(), ephemeris.furthest_time(), " s")?;
+        let constants = TimedMotion::new(*motion);
         let (regime, cycle) = (motion.regime(), cycle(&constants));
         let longest = most_cycles * cycle;
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)
@@ -58,13 +58,13 @@ impl MotionSpan {
         }
         let periods = periods(&constants).filter(|_| times.is_none());
         let ends =
-            times.unwrap_or_else(|| [0.0, display_duration(&constants, |t| table.pose(t).tip.modulus())]);
-        Ok(Self { table, ends, periods, cycle })
+            times.unwrap_or_else(|| [0.0, display_duration(&constants, |t| ephemeris.pose(t).tip.modulus())]);
+        Ok(Self { ephemeris, ends, periods, cycle })
     }
 
     /// Sample at a time.
     pub fn at(&self, t: f64) -> Sample {
-        self.table.at(t)
+        self.ephemeris.at(t)
     }
 
     /// Times of this number, evenly spread, both ends included.

@@ -1,6 +1,6 @@
 //! Aperiodic motion, which has no table, by its closed form.
 
-use crate::motion_constants::MotionConstants;
+use crate::timed_motion::TimedMotion;
 use toytop::{AttitudeState, Complex, ErrorBound};
 use toytop_closed_forms::Aperiodic;
 
@@ -15,7 +15,7 @@ pub struct AperiodicMotion {
 
 impl AperiodicMotion {
     /// Closed form of a motion; `None` if the motion is not aperiodic.
-    pub fn new(motion: &MotionConstants) -> Option<Self> {
+    pub fn new(motion: &TimedMotion) -> Option<Self> {
         let form = Aperiodic::new(motion)?;
         Some(Self { form, ticks_per_time: motion.ticks_per_time(), tip_scale: motion.top().tip_scale() })
     }

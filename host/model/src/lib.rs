@@ -4,7 +4,7 @@
 //! |---|---|
 //! | [`parameters`] | supports by name, top and release from the numbers of a scenario |
 //! | [`equations`] | full 3-D equations of motion |
-//! | [`motion_constants`] | constants of a motion by name, and the ticks of its table |
+//! | [`timed_motion`] | constants of a motion by name, and the ticks of its table |
 //! | [`aperiodic`] | aperiodic motion, which has no table, by its closed form |
 //! | [`display_duration`] | duration that a picture of a motion shows |
 //!
@@ -15,5 +15,5 @@
 pub mod aperiodic;
 pub mod display_duration;
 pub mod equations;
-pub mod motion_constants;
 pub mod parameters;
+pub mod timed_motion;

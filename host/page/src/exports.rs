@@ -11,8 +11,8 @@ use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError, Support};
 use toytop_model::display_duration::display_duration;
-use toytop_model::motion_constants::{MotionConstants, number_constants, regime, tip_class};
 use toytop_model::parameters::{self, SUPPORTS, top_parameters};
+use toytop_model::timed_motion::{TimedMotion, number_constants, regime, tip_class};
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;
@@ -71,12 +71,12 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
     }
 }
 
-fn launched(support: u32, kind: u32) -> Result<MotionConstants, ParameterError> {
+fn launched(support: u32, kind: u32) -> Result<TimedMotion, ParameterError> {
     let support = SUPPORTS.get(support as usize).map_or(Support::Sliding, |(_, support)| *support);
     let numbers_of_top = from_fn(number);
     let top = parameters::top(support, &top_parameters(numbers_of_top))?;
     let motion = launch::motion(&top, kind, from_fn(|i| number(numbers_of_top.len() + i)))?;
-    let motion = MotionConstants::new(motion);
+    let motion = TimedMotion::new(motion);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)
 }

@@ -5,7 +5,7 @@ use toytop::{
     TableSettings, Workspace,
 };
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::motion_constants::MotionConstants;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct PageTable {
@@ -36,7 +36,7 @@ impl PageTable {
     ///
     /// # Errors
     /// `e3`: the motion is so close to the separatrix that no table holds it.
-    pub fn set_up(&mut self, motion: &MotionConstants) -> Result<(), ParameterError> {
+    pub fn set_up(&mut self, motion: &TimedMotion) -> Result<(), ParameterError> {
         self.ticks_per_time = motion.ticks_per_time();
         self.method = AperiodicMotion::new(motion).map_or(Method::Table, Method::ClosedForm);
         if matches!(self.method, Method::ClosedForm(_)) {

@@ -2,8 +2,8 @@
 
 use toytop::scalar::Float;
 use toytop::{Motion, Pose, Release, State, Stepper, Support, TableF64, Top};
-use toytop_model::motion_constants::{MotionConstants, number_constants};
 use toytop_model::parameters::{self, tilt_from_degrees, top_parameters};
+use toytop_model::timed_motion::{TimedMotion, number_constants};
 use toytop_page::exports::launch_names;
 use toytop_page::launch;
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
@@ -26,7 +26,7 @@ fn thrown() -> Motion {
 
 fn constant(motion: &Motion, name: &str) -> f64 {
     let (_, value) = number_constants().find(|(other, _)| *other == name).unwrap();
-    value(&MotionConstants::new(*motion))
+    value(&TimedMotion::new(*motion))
 }
 
 /// A table of the largest capacity is larger than a test's stack.
@@ -113,8 +113,8 @@ fn a_pose_is_the_cores() {
     on_a_large_stack(|| {
         let motion = thrown();
         let mut table = Box::new(PageTable::EMPTY);
-        table.set_up(&MotionConstants::new(motion)).unwrap();
-        let core = TableF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
+        table.set_up(&TimedMotion::new(motion)).unwrap();
+        let core = TableF64::new(&motion, TimedMotion::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
             let [a, b, c, d, u, .., x, y] = pose_numbers(table.at(t));
             let Pose { orientation: phi, tip, .. } = core.at(t).pose();
@@ -128,7 +128,7 @@ fn a_pose_is_the_cores() {
 #[test]
 fn runge_kutta_drifts_as_its_step_says() {
     let motion = thrown();
-    let core = TableF64::new(&motion, MotionConstants::new(motion).tick()).unwrap();
+    let core = TableF64::new(&motion, TimedMotion::new(motion).tick()).unwrap();
     for t in [0.5, -0.5] {
         let errors = [4e-4, 2e-4].map(|step| {
             let (reached, phi, _) = RungeKutta::new(&motion, step).advance_to(t);

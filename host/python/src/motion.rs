@@ -14,11 +14,11 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
 use toytop_host::motion::ephemeris::MotionEphemeris;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
 use toytop_host::truth::quadrature::Quadrature;
-use toytop_model::motion_constants::{number_constants, regime, tip_class};
+use toytop_model::timed_motion::{number_constants, regime, tip_class};
 
 /// Rust side of `toytop.Motion`.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -28,7 +28,7 @@ pub(crate) struct MotionCore {
     pub(crate) launch: Launch,
     pub(crate) motion: Motion,
     /// The same motion, whose period is integrated once.
-    constants: Mutex<MotionConstants>,
+    constants: Mutex<TimedMotion>,
     tables: [OnceLock<Result<SharedEphemeris, String>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
     pub(crate) truth: OnceLock<Quadrature>,
@@ -45,7 +45,7 @@ pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
 
 impl MotionCore {
     pub(crate) fn new(top: TopCore, launch: Launch, motion: Motion) -> Self {
-        let constants = Mutex::new(MotionConstants::new(motion));
+        let constants = Mutex::new(TimedMotion::new(motion));
         Self { top, launch, motion, constants, tables: Default::default(), truth: OnceLock::new() }
     }
 
@@ -58,7 +58,7 @@ impl MotionCore {
         Ok(Self::new(*top, Launch::from(state), motion))
     }
 
-    pub(crate) fn constants(&self) -> MutexGuard<'_, MotionConstants> {
+    pub(crate) fn constants(&self) -> MutexGuard<'_, TimedMotion> {
         self.constants.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
@@ -68,8 +68,8 @@ impl MotionCore {
     /// `ValueError`: no table in this scalar is large enough.
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<SharedEphemeris> {
         let set_up = || {
-            let table = MotionEphemeris::new(&self.motion, scalar);
-            table.map(Arc::new).map_err(|failure| failure.to_string())
+            let ephemeris = MotionEphemeris::new(&self.motion, scalar);
+            ephemeris.map(Arc::new).map_err(|failure| failure.to_string())
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
         table.map_err(|reason| value_error("scalar", reason))

@@ -86,7 +86,7 @@ impl SampleColumn {
 
     /// Writes its numbers into a row of as many numbers as it has names. NaN stands for a number that does not exist.
     #[inline]
-    pub fn write(self, now: &(impl SampleQuantities + ?Sized), row: &mut [f64]) {
+    pub fn write(self, now: &impl SampleQuantities, row: &mut [f64]) {
         let mut put = |numbers: &[f64]| row.copy_from_slice(numbers);
         let parts = |z: Complex<f64>| [z.re, z.im];
         let orientation = || now.pose().orientation;

@@ -13,12 +13,12 @@ pub use heap_table::{HeapTable, SEGMENTS};
 use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
-use crate::motion::sample::{Sample, SampleQuantities};
+use crate::motion::sample::Sample;
 use aperiodic::ClosedFormSource;
 use fixed::types::{I2F14, I2F30};
 use source::MotionSource;
 use toytop::{ErrorBound, Motion, ParameterError, Pose, Regime, TableScalar, TableSettings, Tick};
-use toytop_model::motion_constants::{MAX_TICKS, MotionConstants};
+use toytop_model::timed_motion::{MAX_TICKS, TimedMotion};
 
 /// Ephemeris of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
 pub struct MotionEphemeris {
@@ -40,7 +40,7 @@ pub struct MotionEphemeris {
 pub struct EphemerisSettings {
     /// Scalar type of the core.
     pub scalar: Scalar,
-    /// Length of a tick; by default [`MotionConstants::tick`].
+    /// Length of a tick; by default [`TimedMotion::tick`].
     pub tick: Option<Tick>,
     /// Greatest truncation error of a table, rad; by default [`TableScalar::TRUNCATION`].
     pub truncation: Option<f64>,
@@ -59,7 +59,7 @@ impl MotionEphemeris {
     /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
     pub fn new(motion: &Motion, settings: impl Into<EphemerisSettings>) -> Result<Self, Failure> {
         let EphemerisSettings { scalar, tick, truncation } = settings.into();
-        let constants = MotionConstants::new(*motion);
+        let constants = TimedMotion::new(*motion);
         if motion.regime() == Regime::Aperiodic {
             let form = ClosedFormSource::new(&constants).filter(|_| scalar == Scalar::F64);
             let reason = "an aperiodic motion has a closed form in f64, and no table";
@@ -110,31 +110,22 @@ impl MotionEphemeris {
 
     /// Sample t units of time after t = 0, t taken as exact.
     pub fn at(&self, t: f64) -> Sample {
-        self.read(t, None, Sample::new)
+        self.source.sample(t, None)
     }
 
     /// Sample at tick n.
     pub fn at_tick(&self, n: i64) -> Sample {
-        self.read(n as f64 / self.ticks_per_time, Some(n), Sample::new)
+        self.source.sample(n as f64 / self.ticks_per_time, Some(n))
     }
 
     /// Orientation, u and tip t units of time after t = 0.
     pub fn pose(&self, t: f64) -> Pose<f64, f64> {
-        self.read(t, None, |now| now.pose())
+        self.source.pose(t)
     }
 
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-            self.source.read(*t, None, &mut |now| column.write(now, row));
-        }
-    }
-
-    /// Result of a function of the motion: see [`MotionSource::read`].
-    fn read<T>(&self, t: f64, tick: Option<i64>, of: fn(&dyn SampleQuantities) -> T) -> T {
-        let mut result = None;
-        self.source.read(t, tick, &mut |now| result = Some(of(now)));
-        result.expect("a source calls the function")
+        self.source.write(column, times, rows);
     }
 }
 
@@ -178,7 +169,7 @@ mod tests {
         for motion in
             [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
         {
-            let constants = MotionConstants::new(motion);
+            let constants = TimedMotion::new(motion);
             let (rate, period) = (constants.ticks_per_time(), constants.time_scale());
             assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
             assert!(constants.furthest_time() / period >= 1e10);
@@ -199,7 +190,7 @@ mod tests {
     fn sizes_chosen<R: TableScalar>(scalar: Scalar, motions: &[Motion]) -> Vec<usize> {
         let chosen = |motion: &Motion| {
             let table = MotionEphemeris::new(motion, scalar).unwrap();
-            let settings = TableSettings::new(MotionConstants::new(*motion).tick());
+            let settings = TableSettings::new(TimedMotion::new(*motion).tick());
             for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < table.segments) {
                 let refused = HeapTable::<R>::new(motion, &settings, segments..=segments).is_err();
                 assert!(refused, "{segments} segments would do");

@@ -64,7 +64,7 @@ impl SampleQuantities for Sample {
 
 impl Sample {
     /// Sample with all quantities.
-    pub fn new(now: &dyn SampleQuantities) -> Self {
+    pub fn new(now: &impl SampleQuantities) -> Self {
         let rates = Rates { omega: now.omega(), omega_body: now.omega_body(), udot: now.udot() };
         let (tip_angle, error_bound) = (now.tip_angle(), now.error_bound());
         Self { t: now.t(), pose: now.pose(), rates, tip_angle, error_bound }

@@ -12,7 +12,7 @@
 
 use super::rotation_between;
 use super::trajectory::TrajectoryRow;
-use crate::motion::MotionConstants;
+use crate::motion::TimedMotion;
 use crate::motion::ephemeris::MotionEphemeris;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use serde::Serialize;
@@ -38,18 +38,18 @@ const MIN_ROWS: usize = 8;
 /// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
 ///
 /// The fit goes through all periods, so that it recognises errors of more than half a turn.
-pub fn phase_errors(motion: &Motion, table: &MotionEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
+pub fn phase_errors(motion: &Motion, ephemeris: &MotionEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],
         Regime::Aperiodic => return PhaseErrors::default(),
         regime if regime.is_vertical() => [false, false, true],
         _ => [false, true, true],
     };
-    let period = MotionConstants::new(*motion).time_scale();
+    let period = TimedMotion::new(*motion).time_scale();
     let rates = motion.period_advance().map_or([0.0; 3], |advance| {
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });
-    let fit = PhaseFit { table, period, rates, exist };
+    let fit = PhaseFit { ephemeris, period, rates, exist };
     let (mut angles, mut residual) = (Vector6::zeros(), None);
     for window in fit.windows(rows) {
         // from the middle of one window to the middle of the next
@@ -67,7 +67,7 @@ pub fn phase_errors(motion: &Motion, table: &MotionEphemeris, rows: &[Trajectory
 
 /// Fit of phase errors to rows.
 struct PhaseFit<'a> {
-    table: &'a MotionEphemeris,
+    ephemeris: &'a MotionEphemeris,
     /// Time that a fit covers, s.
     period: f64,
     /// Mean rates of arg α, arg β and the nutation phase, rad/s.
@@ -134,7 +134,7 @@ impl PhaseFit<'_> {
         // t + τ is rounded; the rest of Δθ is taken into account to first order
         let t = if angles[0] == 0.0 { row.t } else { row.t + angles[0] / theta_rate };
         let shift = t - row.t;
-        let exact = self.table.at(t);
+        let exact = self.ephemeris.at(t);
         let turned = |z: Complex<f64>, angle: f64| z * Complex::new(angle.cos(), angle.sin());
         let azimuth = angles[1] - (a_rate + b_rate) * shift;
         let roll = angles[2] - (a_rate - b_rate) * shift;

@@ -7,7 +7,7 @@ use crate::input::require_within;
 use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::errors::{distance, drift, greater_or_infinite};
-use crate::motion::{MotionConstants, Scalar};
+use crate::motion::{Scalar, TimedMotion};
 use serde::Serialize;
 use std::array::from_fn;
 use std::f64::consts::PI;
@@ -16,7 +16,7 @@ use toytop::{Motion, Orientation};
 /// Exact motion that trajectories are compared with.
 pub struct Scorer<'a> {
     motion: &'a Motion,
-    table: MotionEphemeris,
+    ephemeris: MotionEphemeris,
     /// Command that prints the state from which a run has to start.
     start: String,
 }
@@ -63,9 +63,9 @@ impl<'a> Scorer<'a> {
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(scenario: &'a Scenario, start: &str) -> Result<Self, Failure> {
         let motion = &scenario.motion;
-        let table = MotionEphemeris::new(motion, Scalar::F64)
+        let ephemeris = MotionEphemeris::new(motion, Scalar::F64)
             .map_err(|failure| failure.with_context(&scenario.name))?;
-        Ok(Self { motion, table, start: start.to_owned() })
+        Ok(Self { motion, ephemeris, start: start.to_owned() })
     }
 
     /// Errors of a trajectory.
@@ -74,7 +74,7 @@ impl<'a> Scorer<'a> {
     /// [`Failure::Input`]: a time at which the ephemeris cannot be evaluated.
     pub fn score(&self, Trajectory { name, rows, .. }: &Trajectory) -> Result<Score, Failure> {
         let furthest = greatest(rows.iter().map(|row| row.t.abs()));
-        require_within([furthest], self.table.furthest_time(), " s")
+        require_within([furthest], self.ephemeris.furthest_time(), " s")
             .map_err(|failure| failure.with_context(&format!("{name}: t")))?;
         let errors: Vec<_> = rows.iter().map(|row| self.errors(row)).collect();
         let mean_square = errors.iter().map(|[error, _]| error * error).sum::<f64>() / rows.len() as f64;
@@ -85,25 +85,25 @@ impl<'a> Scorer<'a> {
             final_error_rad: errors.last().map_or(0.0, |[error, _]| *error),
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
             max_tip_error: rows.iter().filter_map(|row| self.tip_error(row)).reduce(greater_or_infinite),
-            phases: phases::phase_errors(self.motion, &self.table, rows),
+            phases: phases::phase_errors(self.motion, &self.ephemeris, rows),
             drift_h,
             drift_l,
             drift_n,
             max_norm_error: greatest(rows.iter().map(|row| row.norm_error)),
-            truth_bound_rad: self.table.error_bound.after(furthest * self.table.ticks_per_time),
+            truth_bound_rad: self.ephemeris.error_bound.after(furthest * self.ephemeris.ticks_per_time),
             warning: rows.first().and_then(|row| self.warning(row)),
         })
     }
 
     /// Errors of the orientation of a row, rad, and of its u.
     fn errors(&self, row: &TrajectoryRow) -> [f64; 2] {
-        let exact = self.table.pose(row.t).orientation;
+        let exact = self.ephemeris.pose(row.t).orientation;
         [orientation_error(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
     fn tip_error(&self, row: &TrajectoryRow) -> Option<f64> {
         let [x, y] = row.tip?;
-        let exact = self.table.pose(row.t).tip;
+        let exact = self.ephemeris.pose(row.t).tip;
         Some((x - exact.re).hypot(y - exact.im))
     }
 
@@ -117,11 +117,11 @@ impl<'a> Scorer<'a> {
 
     /// Reason why the first row is far from the motion; `None` if it is near.
     fn warning(&self, first: &TrajectoryRow) -> Option<String> {
-        let exact = self.table.at(first.t);
+        let exact = self.ephemeris.at(first.t);
         let [error, _] = self.errors(first);
         let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
-        let speed = distance(exact.rates.omega, [0.0; 3])
-            .max(2.0 * PI / MotionConstants::new(*self.motion).time_scale());
+        let speed =
+            distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / TimedMotion::new(*self.motion).time_scale());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
         let tip_error = self.tip_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");

@@ -17,7 +17,7 @@ use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, Scenario};
 use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::Errors;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::output::{self, Format};
 use toytop_host::truth::float640::{from_f64, from_i64};
 use toytop_host::truth::motion_input::MotionInput;
@@ -148,10 +148,10 @@ fn input_of(scenario: &Scenario) -> Option<MotionInput> {
 /// Errors of each scalar on a motion, by octave.
 fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = input.motion().map_err(|error| Failure::Input(format!("{input:?}: {error}")))?;
-    let tables =
+    let ephemerides =
         scalars.iter().map(|&scalar| MotionEphemeris::new(&motion, scalar)).collect::<Result<Vec<_>, _>>()?;
     let truth = Quadrature::new(input);
-    let rate = MotionConstants::new(motion).ticks_per_time();
+    let rate = TimedMotion::new(motion).ticks_per_time();
     let mut random = Random::new(1, 0);
     let mut errors = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     for octave in 0..=OCTAVES {
@@ -160,8 +160,8 @@ fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<E
             let more = if octave < OCTAVES { random.uniform() * first as f64 } else { 0.0 };
             let n = (first + more as u64) as i64;
             let exact = truth.at(&(from_i64(n) / from_f64(rate)));
-            for (table, octaves) in tables.iter().zip(&mut errors) {
-                let sample = table.at_tick(n);
+            for (ephemeris, octaves) in ephemerides.iter().zip(&mut errors) {
+                let sample = ephemeris.at_tick(n);
                 let (orientation, rounded) = (sample.pose.orientation, exact.to_f64());
                 // in fixed point the tip of a sample is rounded to f32
                 let tip = (orientation.tip_over_s() - rounded.tip_over_s()).modulus();

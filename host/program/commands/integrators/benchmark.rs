@@ -137,11 +137,11 @@ fn reference_row(sample: &ReferenceSample) -> BenchmarkRow {
 fn computed_rows(problem: &Problem, times: &Values) -> Result<Vec<BenchmarkRow>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::new("--times".to_owned(), times)?;
-    let table = MotionEphemeris::new(&scenario.motion, Scalar::F64)
+    let ephemeris = MotionEphemeris::new(&scenario.motion, Scalar::F64)
         .map_err(|failure| failure.with_context(&scenario.name))?;
-    times.require_within(table.furthest_time(), "")?;
+    times.require_within(ephemeris.furthest_time(), "")?;
     let row = |t: &f64| {
-        let sample = table.at(*t);
+        let sample = ephemeris.at(*t);
         let orientation = sample.pose.orientation.compose(&to_symmetry_axis(about.symmetry_axis));
         let position = sample.pose.orientation.axis().map(|x| about.length * x);
         let omega_body = orientation.inverse().adjoint(sample.rates.omega);

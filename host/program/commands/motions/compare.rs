@@ -24,7 +24,7 @@ use toytop_host::motion::errors::Errors;
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::Sample;
 use toytop_host::motion::stepper::TimedStepper;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::output::{self, Format, or_dash, significant};
 use toytop_host::truth::full_solver::FullState;
 
@@ -158,7 +158,7 @@ fn compare<'a>(
     let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
-    let mut exact = Vec::new();
+    let mut solver_states = Vec::new();
     let mut rows = Vec::new();
     for (method, scalar) in PROPAGATORS {
         if !arguments.scalar.0.contains(&scalar) {
@@ -173,7 +173,7 @@ fn compare<'a>(
             notes.push(format!("{name} {}: {failure}", scalar.name()));
             PropagatorRun::default()
         });
-        let errors = greatest_errors(scenario, &run.samples, &times, &mut exact)?;
+        let errors = greatest_errors(scenario, &run.samples, &times, &mut solver_states)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
         let bound_rad = bound(motion, (method, scalar), periods, builtin_bounds, run.table_bound);
         rows.push(Comparison {
@@ -225,7 +225,7 @@ fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> Sample) -> (Vec<S
 
 /// Run of the stepper through the times.
 fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> PropagatorRun {
-    let step = MotionConstants::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
+    let step = TimedMotion::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
     let (samples, ns) = timed_samples(times, |t| {
         timed.advance_to(t, |_| ());
@@ -240,26 +240,27 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Propa
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<PropagatorRun, Failure> {
-    let table = MotionEphemeris::new(motion, scalar)?;
-    let (samples, ns) = timed_samples(times, |t| table.at(t));
-    let ticks = times.last().map_or(0.0, |last| last * table.ticks_per_time);
-    let table_bound = Some(table.error_bound.after(ticks));
-    let size = format!("{}x{}", table.segments, table.terms);
-    Ok(PropagatorRun { samples, table: Some(size), table_bound, ns: Some(ns), steps: None })
+    let ephemeris = MotionEphemeris::new(motion, scalar)?;
+    let (samples, ns) = timed_samples(times, |t| ephemeris.at(t));
+    let ticks = times.last().map_or(0.0, |last| last * ephemeris.ticks_per_time);
+    let table_bound = Some(ephemeris.error_bound.after(ticks));
+    let has_table = ephemeris.segments > 0;
+    let table = has_table.then(|| format!("{}x{}", ephemeris.segments, ephemeris.terms));
+    Ok(PropagatorRun { samples, table, table_bound, ns: Some(ns), steps: None })
 }
 
 /// Greatest errors of samples against the full solver. `None` without samples.
 ///
-/// * `exact`: states of the solver at `times`, which most methods reach; computed here for the first of them
+/// * `solver_states`: states of the solver at `times`, which most methods reach; computed here for the first of them
 fn greatest_errors(
     scenario: &Scenario,
     samples: &[Sample],
     times: &[f64],
-    exact: &mut Vec<FullState>,
+    solver_states: &mut Vec<FullState>,
 ) -> Result<Option<Errors>, Failure> {
     // in f32 the times that are reached are rounded
     let reached: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
-    let states = if reached == times { exact } else { &mut Vec::new() };
+    let states = if reached == times { solver_states } else { &mut Vec::new() };
     if states.len() != reached.len() {
         *states = full_equations::states(scenario, &reached)?;
     }

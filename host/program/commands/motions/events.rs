@@ -80,9 +80,10 @@ fn kind(text: &str) -> Result<KindArgument, String> {
 pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let (motion, from, count) = (&scenario.motion, arguments.from, arguments.count as usize);
-    let table =
+    let ephemeris =
         MotionEphemeris::new(motion, Scalar::F64).map_err(|failure| failure.with_context(&scenario.name))?;
-    require_within([from], table.furthest_time(), " s").map_err(|failure| failure.with_context("--from"))?;
+    require_within([from], ephemeris.furthest_time(), " s")
+        .map_err(|failure| failure.with_context("--from"))?;
     let mut events = Vec::new();
     for argument in &arguments.kinds {
         let KindArgument { kind, upward, text } = argument;
@@ -96,7 +97,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
             Failure::Input(format!("--kind: {text}: must be above 0 and below {below}"))
         };
         let query = EventQuery { kind: *kind, from, upward: *upward, count };
-        let matching = search(&table, motion, &query).map_err(refused)?;
+        let matching = search(&ephemeris, motion, &query).map_err(refused)?;
         events.extend(matching.into_iter().map(|event| (argument, event)));
     }
     events.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));

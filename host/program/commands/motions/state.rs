@@ -22,7 +22,7 @@ use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::{Sample, body_rates};
 use toytop_host::motion::stepper::{self, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::output::Format;
 
 /// Function from the index of a requested time to the sample there.
@@ -120,7 +120,7 @@ fn sampler(
             return Err(Failure::Input(format!("--method stepper: {reason}")));
         }
         (Method::Stepper, scalar) => {
-            let step = MotionConstants::new(*motion).time_scale()
+            let step = TimedMotion::new(*motion).time_scale()
                 / f64::from(arguments.steps_per_period.unwrap_or(4096));
             let option = arguments.steps_per_period.map_or(&*times.option, |_| "--steps-per-period");
             let steps = steps_needed(&times.seconds, step).map_err(|failure| failure.with_context(option))?;
@@ -159,16 +159,17 @@ fn ephemeris_sampler(
             Some(Tick::ratio(rate[0], rate[1]).map_err(|error| Failure::Input(format!("--hertz: {error}")))?)
         }
     };
-    let table = MotionEphemeris::new(motion, EphemerisSettings { tick, ..scalar.into() }).map_err(named)?;
+    let ephemeris =
+        MotionEphemeris::new(motion, EphemerisSettings { tick, ..scalar.into() }).map_err(named)?;
     // every tick of 64 bits is in reach of a table
     if tick.is_some() && motion.regime() != Regime::Aperiodic {
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
-            Sample { t, ..table.at_tick(tick) }
+            Sample { t, ..ephemeris.at_tick(tick) }
         }));
     }
-    times.require_within(table.furthest_time(), " with --method ephemeris")?;
-    Ok(Box::new(move |index| table.at(times.seconds[index as usize])))
+    times.require_within(ephemeris.furthest_time(), " with --method ephemeris")?;
+    Ok(Box::new(move |index| ephemeris.at(times.seconds[index as usize])))
 }
 
 /// Function that computes samples by the closed form, if the motion has one.
@@ -176,7 +177,7 @@ fn closed_form_sampler(scenario: &Scenario, times: Times) -> Result<Box<Sampler>
     let motion = &scenario.motion;
     let form = ClosedForm::from_motion(motion)
         .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
-    let furthest = MotionConstants::new(*motion).furthest_time_of_closed_form();
+    let furthest = TimedMotion::new(*motion).furthest_time_of_closed_form();
     times.require_within(furthest, " with --method closed-form")?;
     let angle = TipAngle::new(motion);
     Ok(Box::new(move |index| {

@@ -8,7 +8,7 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop::Motion;
 use toytop_closed_forms::ClosedForm;
-use toytop_host::motion::MotionConstants;
+use toytop_host::motion::TimedMotion;
 use toytop_host::motion::sample::body_rates;
 use toytop_host::truth::float640::{decimal, from_f64};
 use toytop_host::truth::motion_input::MotionInput;
@@ -43,7 +43,7 @@ impl ClosedFormCore {
 
     /// Samples at these times.
     fn at(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
-        within(MotionConstants::new(self.motion).furthest_time_of_closed_form(), &t.numbers)?;
+        within(TimedMotion::new(self.motion).furthest_time_of_closed_form(), &t.numbers)?;
         Sampler::by_method(py, t, &self.motion, None, |t| {
             let state = self.form.at(t);
             (state.orientation, body_rates(&state))

@@ -2,11 +2,12 @@
 
 use super::events::{Condition, EventQuery, MotionEvent};
 use super::source::MotionSource;
-use crate::motion::sample::{Sample, SampleQuantities, unwrapped};
+use crate::motion::column::SampleColumn;
+use crate::motion::sample::{Sample, unwrapped};
 use std::f64::consts::TAU;
-use toytop::ErrorBound;
+use toytop::{ErrorBound, Pose};
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::motion_constants::{MotionConstants, natural_time};
+use toytop_model::timed_motion::{TimedMotion, natural_time};
 
 /// Closed form, with what a search for events needs.
 pub struct ClosedFormSource {
@@ -26,7 +27,7 @@ const INTERVALS: i32 = 8192;
 
 impl ClosedFormSource {
     /// Closed form of a motion; `None` if it is not aperiodic.
-    pub fn new(constants: &MotionConstants) -> Option<Self> {
+    pub fn new(constants: &TimedMotion) -> Option<Self> {
         let motion = AperiodicMotion::new(constants)?;
         let form = &motion.form;
         let mut upright = natural_time(constants);
@@ -50,13 +51,6 @@ impl ClosedFormSource {
         ErrorBound { constant, per_tick: constant * speed / self.motion.ticks_per_time }
     }
 
-    /// Motion at the time t.
-    fn at(&self, t: f64) -> Sample {
-        let (state, tip) = self.motion.at(t);
-        let error = self.motion.error_bound().after(t * self.motion.ticks_per_time);
-        Sample { error_bound: Some(error), ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t))) }
-    }
-
     /// Tip angle, continued in time, rad.
     fn tip_angle(&self, t: f64) -> f64 {
         let [before, after] = self.tip_rates;
@@ -76,8 +70,20 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
 }
 
 impl MotionSource for ClosedFormSource {
-    fn read(&self, t: f64, _: Option<i64>, read: &mut dyn FnMut(&dyn SampleQuantities)) {
-        read(&self.at(t));
+    fn sample(&self, t: f64, _: Option<i64>) -> Sample {
+        let (state, tip) = self.motion.at(t);
+        let error = self.motion.error_bound().after(t * self.motion.ticks_per_time);
+        Sample { error_bound: Some(error), ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t))) }
+    }
+
+    fn pose(&self, t: f64) -> Pose<f64, f64> {
+        self.sample(t, None).pose
+    }
+
+    fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
+            column.write(&self.sample(*t, None), row);
+        }
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
@@ -102,7 +108,7 @@ impl MotionSource for ClosedFormSource {
                 // at the lowest point u is least
                 let upward = sense > 0.0 && condition != Condition::Turning;
                 if query.includes(t, upward) {
-                    events.push(MotionEvent::new(condition, t, upward, self.at(t)));
+                    events.push(MotionEvent::new(condition, t, upward, self.sample(t, None)));
                 }
             }
             (time, before) = (next, after);

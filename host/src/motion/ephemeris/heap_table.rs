@@ -3,6 +3,7 @@
 use super::events::{Condition, EventQuery, MotionEvent};
 use super::source::MotionSource;
 use crate::Failure;
+use crate::motion::column::SampleColumn;
 use crate::motion::sample::{Sample, SampleQuantities, unwrapped};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
@@ -81,10 +82,20 @@ impl<R: TableScalar> MotionSource for HeapTable<R>
 where
     Self: Send + Sync,
 {
-    fn read(&self, t: f64, tick: Option<i64>, read: &mut dyn FnMut(&dyn SampleQuantities)) {
+    fn sample(&self, t: f64, tick: Option<i64>) -> Sample {
         let table = self.table();
         let now = tick.map_or_else(|| table.at(t), |n| table.at_tick(n));
-        read(&TableSample { table, now, t });
+        Sample::new(&TableSample { table, now, t })
+    }
+
+    fn pose(&self, t: f64) -> Pose<f64, f64> {
+        TableSample::new(self.table(), t).pose()
+    }
+
+    fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
+        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
+            column.write(&TableSample::new(self.table(), *t), row);
+        }
     }
 
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
@@ -122,6 +133,12 @@ struct TableSample<'a, R: TableScalar> {
     table: &'a Table<R>,
     now: toytop::Sample<'a, R>,
     t: f64,
+}
+
+impl<'a, R: TableScalar> TableSample<'a, R> {
+    fn new(table: &'a Table<R>, t: f64) -> Self {
+        Self { table, now: table.at(t), t }
+    }
 }
 
 impl<R: TableScalar> SampleQuantities for TableSample<'_, R> {

@@ -3,7 +3,7 @@
 use crate::commands::options::Method;
 use serde::Serialize;
 use toytop::{Motion, Regime};
-use toytop_host::motion::{MotionConstants, Scalar};
+use toytop_host::motion::{Scalar, TimedMotion};
 
 /// Steps in a period. In f64 the truncation of a step equals its rounding between 2048 and 8192 steps; in f32 it is below the rounding
 /// from 512 steps on.
@@ -77,7 +77,7 @@ const MAX_GROWTH: f64 = 1e4;
 /// Time of `periods` periods, s, or a shorter one with the reason: an aperiodic motion is followed until shortly before the axis reaches
 /// the vertical, from where the solution of the full equations falls again.
 pub fn compared_time(motion: &Motion, periods: u32) -> (f64, Option<String>) {
-    let time = MotionConstants::new(*motion).time_scale() * f64::from(periods);
+    let time = TimedMotion::new(*motion).time_scale() * f64::from(periods);
     if motion.regime() != Regime::Aperiodic {
         return (time, None);
     }

@@ -10,7 +10,7 @@ use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
 use toytop_host::motion::errors::greater_or_infinite;
 use toytop_host::motion::{Scalar, constant_as_json};
-use toytop_model::motion_constants::{CONSTANTS, Constant, MotionConstants};
+use toytop_model::timed_motion::{CONSTANTS, Constant, TimedMotion};
 
 /// Column of a sweep.
 #[derive(Clone, Copy)]
@@ -92,7 +92,7 @@ impl SweepColumn {
 
 /// Motion of a row, with its ephemerides as far as columns need them.
 pub struct RowMotion {
-    motion: MotionConstants,
+    motion: TimedMotion,
     times: Vec<f64>,
     f64_ephemeris: OnceCell<Option<MotionEphemeris>>,
     f32_ephemeris: OnceCell<Option<MotionEphemeris>>,
@@ -101,7 +101,7 @@ pub struct RowMotion {
 impl RowMotion {
     /// Motion with `count` times spread over this many periods.
     pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
-        let motion = MotionConstants::new(motion);
+        let motion = TimedMotion::new(motion);
         let times = spread_times(periods * motion.time_scale(), count);
         Self { motion, times, f64_ephemeris: OnceCell::new(), f32_ephemeris: OnceCell::new() }
     }

@@ -14,7 +14,7 @@ use std::process::Command;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use toytop::{Complex, Motion, Orientation};
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::MotionConstants;
+use toytop_host::motion::TimedMotion;
 use toytop_page::table::PageTable;
 
 /// The document at the end of a minute of Chromium's virtual time, and the lines of its console.
@@ -108,7 +108,7 @@ fn complex(value: &Value) -> Complex<f64> {
 fn core_of(motion: &Motion) -> MutexGuard<'static, PageTable> {
     static TABLE: Mutex<PageTable> = Mutex::new(PageTable::EMPTY);
     let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
-    table.set_up(&MotionConstants::new(*motion)).expect("it fits");
+    table.set_up(&TimedMotion::new(*motion)).expect("it fits");
     table
 }
 

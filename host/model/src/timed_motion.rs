@@ -23,21 +23,21 @@ pub struct Constant {
 #[derive(Clone, Copy)]
 pub enum Value {
     /// Number; NaN where the motion does not have it.
-    Number(fn(&MotionConstants) -> f64),
+    Number(fn(&TimedMotion) -> f64),
     /// Word.
-    Word(fn(&MotionConstants) -> &'static str),
+    Word(fn(&TimedMotion) -> &'static str),
 }
 
-const fn number(name: &'static str, unit: &'static str, value: fn(&MotionConstants) -> f64) -> Constant {
+const fn number(name: &'static str, unit: &'static str, value: fn(&TimedMotion) -> f64) -> Constant {
     Constant { name, unit, value: Value::Number(value) }
 }
 
-const fn word(name: &'static str, value: fn(&MotionConstants) -> &'static str) -> Constant {
+const fn word(name: &'static str, value: fn(&TimedMotion) -> &'static str) -> Constant {
     Constant { name, unit: "", value: Value::Word(value) }
 }
 
 /// Names and functions of all constants that are numbers, with the numbers of the top and of the start.
-pub fn number_constants() -> impl Iterator<Item = (&'static str, fn(&MotionConstants) -> f64)> {
+pub fn number_constants() -> impl Iterator<Item = (&'static str, fn(&TimedMotion) -> f64)> {
     CONSTANTS.iter().chain(&TOP_AND_START).filter_map(|constant| match constant.value {
         Value::Number(value) => Some((constant.name, value)),
         Value::Word(_) => None,
@@ -105,12 +105,12 @@ static TOP_AND_START: [Constant; 20] = [
 pub const MAX_TICKS: f64 = (1_u64 << 62) as f64;
 
 /// Motion whose period is integrated once, where it is first needed.
-pub struct MotionConstants {
+pub struct TimedMotion {
     motion: Motion,
     advance: OnceCell<Option<PeriodAdvance>>,
 }
 
-impl MotionConstants {
+impl TimedMotion {
     /// Constants of a motion.
     pub fn new(motion: Motion) -> Self {
         Self { motion, advance: OnceCell::new() }
@@ -180,7 +180,7 @@ impl MotionConstants {
     }
 }
 
-impl Deref for MotionConstants {
+impl Deref for TimedMotion {
     type Target = Motion;
 
     fn deref(&self) -> &Motion {
@@ -202,7 +202,7 @@ pub fn tilts(motion: &Motion) -> [f64; 2] {
 }
 
 /// Mean rate of the axis about the vertical, turns/s.
-fn mean_precession(motion: &MotionConstants) -> f64 {
+fn mean_precession(motion: &TimedMotion) -> f64 {
     motion.phi_per_period() / (2.0 * PI * motion.period())
 }
 
