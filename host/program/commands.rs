@@ -1,7 +1,5 @@
 //! Commands of `toytop`, one module for each, in the groups of `toytop --help`. A command checks its input before it writes.
 
-/// Options of several commands.
-mod options;
 /// Warnings about motions that a real top does not follow.
 mod warnings;
 

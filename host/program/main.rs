@@ -5,10 +5,10 @@
 //! | `files` | files that a command writes: completely or not at all, and pages of the documentation |
 //! | `terminal` | command line, standard output, progress, rows that all processor cores compute |
 //! | `table` | table of texts |
-//! | `values`, `times` | values of one number; times at which a motion is computed |
+//! | `arguments` | arguments of several commands: numbers and ranges, times, options |
 //! | `commands` | the commands |
 
-// A private module limits the visibility of what it declares `pub`.
+// All modules are private: `pub` means that the program sees it.
 #![allow(unreachable_pub)]
 
 mod files {
@@ -26,9 +26,13 @@ mod terminal {
 
 mod table;
 
-mod values;
+mod arguments {
+    pub mod values;
 
-mod times;
+    pub mod times;
+
+    pub mod options;
+}
 
 mod commands;
 

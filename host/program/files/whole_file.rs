@@ -106,14 +106,14 @@ pub fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
             | ErrorKind::WriteZero
             | ErrorKind::BrokenPipe
     );
-    if is_of_the_device || error.raw_os_error() == Some(EIO) {
+    if is_of_the_device || (cfg!(unix) && error.raw_os_error() == Some(EIO)) {
         Failure::Output(io::Error::new(error.kind(), message))
     } else {
         Failure::Input(message)
     }
 }
 
-/// Error number of a device that failed.
+/// Error number of Unix for a device that failed.
 const EIO: i32 = 5;
 
 #[cfg(test)]

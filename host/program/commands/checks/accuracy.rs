@@ -1,6 +1,6 @@
 //! `toytop accuracy`: error of each scalar at ticks 1 to 2^40, against the truth to thirty digits.
 
-use crate::commands::options::{Scalars, scalars};
+use crate::arguments::options::{Scalars, scalars};
 use crate::files::doc_page::DocPage;
 use crate::table::TextTable;
 use crate::terminal::parallel_rows::compute_all;

@@ -3,8 +3,8 @@
 use super::problem_files::{self, Problem, ReferenceSample};
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
-use crate::times::Times;
-use crate::values::{Values, counted_values};
+use crate::arguments::times::Times;
+use crate::arguments::values::{Values, counted_values};
 use clap::Args;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};

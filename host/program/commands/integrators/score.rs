@@ -1,7 +1,7 @@
 //! `toytop score`: output of an integrator, compared with the exact motion.
 
 use super::problem_files;
-use crate::commands::options::{PICTURE, ending_in};
+use crate::arguments::options::{PICTURE, ending_in};
 use crate::commands::pictures::drawing::{
     self,
     chart::{Chart, Curve},
@@ -9,7 +9,7 @@ use crate::commands::pictures::drawing::{
 use crate::files::whole_file;
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
-use crate::values::{POSITIVE, number};
+use crate::arguments::values::{POSITIVE, number};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;

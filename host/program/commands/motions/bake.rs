@@ -9,7 +9,7 @@
 mod c;
 mod rust;
 
-use crate::commands::options::hertz;
+use crate::arguments::options::hertz;
 use crate::commands::warnings::warnings;
 use crate::files::whole_file;
 use crate::terminal::stdout::{self, Report};

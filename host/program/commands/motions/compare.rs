@@ -2,11 +2,11 @@
 
 mod bounds;
 
-use crate::commands::options::{Method, Scalars, scalars};
+use crate::arguments::options::{Method, Scalars, scalars};
 use crate::commands::warnings::warnings;
 use crate::table::TextTable;
 use crate::terminal::stdout::Report;
-use crate::times::spread_times;
+use crate::arguments::times::spread_times;
 use bounds::{Verdict, bound, compared_time, steps_per_period};
 use clap::Args;
 use serde::Serialize;

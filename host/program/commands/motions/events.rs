@@ -3,7 +3,7 @@
 use crate::commands::warnings::warnings;
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
-use crate::values::{FINITE, POSITIVE, number};
+use crate::arguments::values::{FINITE, POSITIVE, number};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;

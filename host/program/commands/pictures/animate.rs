@@ -2,12 +2,12 @@
 
 mod film;
 
-use crate::commands::options::{ending_in, time_range};
+use crate::arguments::options::{ending_in, time_range};
 use crate::commands::warnings::warnings;
 use crate::files::whole_file;
 use crate::terminal::progress::Progress;
 use crate::terminal::stdout::Report;
-use crate::values::number;
+use crate::arguments::values::number;
 use clap::Args;
 use film::Film;
 use std::io::BufWriter;

@@ -12,7 +12,7 @@ mod potential;
 pub mod sphere;
 pub mod tip;
 
-use crate::commands::options::{PICTURE, ending_in, time_range};
+use crate::arguments::options::{PICTURE, ending_in, time_range};
 use crate::commands::pictures::drawing;
 use crate::commands::warnings::warnings;
 use crate::terminal::stdout::Report;

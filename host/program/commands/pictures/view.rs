@@ -1,6 +1,6 @@
 //! `toytop view`: a page for a browser.
 
-use crate::commands::options::ending_in;
+use crate::arguments::options::ending_in;
 use crate::commands::warnings::warnings;
 use crate::files::whole_file;
 use crate::terminal::stdout::Report;

@@ -2,7 +2,7 @@
 
 use crate::files::whole_file;
 use crate::terminal::stdout::{self, Report};
-use crate::values::{POSITIVE, number};
+use crate::arguments::values::{POSITIVE, number};
 use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;

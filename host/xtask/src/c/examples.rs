@@ -48,8 +48,11 @@ pub(crate) fn on_host() -> Result<String> {
             run(command.args(&library).arg("-lm"))?;
             run(&mut Command::new(&program))
         };
-        for (page, source) in &pages {
-            printed(source).with_context(|| format!("{page}: its program in C"))?;
+        for (page, source, prints) in &pages {
+            let output = printed(source).with_context(|| format!("{page}: its program in C"))?;
+            if !output.starts_with(prints) {
+                bail!("{page}: its program in C prints {output}");
+            }
         }
         lines = compare(&printed(&sources.join("host.c"))?)?;
     }

@@ -1,6 +1,6 @@
 //! Bounds on the errors of the core, the verdict by a bound, and the time over which the core is compared.
 
-use crate::commands::options::Method;
+use crate::arguments::options::Method;
 use serde::Serialize;
 use toytop::{Motion, Regime};
 use toytop_host::motion::{Scalar, TimedMotion};

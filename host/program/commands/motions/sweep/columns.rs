@@ -1,6 +1,6 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
-use crate::times::spread_times;
+use crate::arguments::times::spread_times;
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;

@@ -3,7 +3,7 @@
 //! A row depends only on the options of the sweep and on its index, so that parts from different machines fit together.
 
 use super::columns::{RowMotion, SweepColumn};
-use crate::values::Values;
+use crate::arguments::values::Values;
 use serde_json::Value;
 use toytop::Motion;
 use toytop_host::Failure;

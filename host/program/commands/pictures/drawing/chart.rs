@@ -1,7 +1,7 @@
 //! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
 use super::{frame, label_above};
-use crate::values::ends;
+use crate::arguments::values::ends;
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::render::layout::TickFormat;

@@ -1,6 +1,6 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
-use crate::values::{FINITE, Values, counted_values, number};
+use crate::arguments::values::{FINITE, Values, counted_values, number};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use toytop_host::input::require_within;

@@ -1,6 +1,6 @@
 //! Options of several commands: method, scalars, name of a file, times, ticks.
 
-use crate::values::Values;
+use crate::arguments::values::Values;
 use clap::ValueEnum;
 use std::path::PathBuf;
 use toytop_host::motion::Scalar;
