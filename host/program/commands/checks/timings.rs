@@ -69,8 +69,8 @@ pub fn run(arguments: &TimingsArgs) -> Result<Report, Failure> {
             ("million a second", |task| significant(1e-6 / task.seconds, 3)),
         ];
         format!(
-            "{}\nThe paper's curve with cusps. Ticks given by their numbers do not depend on each other, and the processor may overlap\n\
-             them; the next tick waits for the one before. Least of {RUNS} runs on one core of {cores}; {build}.\n",
+            "{}\nThe paper's curve with cusps. Any ticks are independent, so that the processor overlaps them; the next tick waits for\n\
+             the one before. Least of {RUNS} runs on one core of {cores}; {build}.\n",
             TextTable::new(1, &columns, &rows).aligned(),
         )
     };

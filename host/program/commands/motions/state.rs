@@ -53,13 +53,13 @@ pub struct StateArgs {
     /// Scalar type of the core
     #[arg(long, default_value = "f64")]
     scalar: Scalar,
-    /// Steps in a nutation period, for --method stepper; by default 4096. Without a period, 2 pi sqrt((A/p + s)/g) takes its place
+    /// Steps in a nutation period, for --method stepper; by default 4096. A motion without a period uses 2 pi sqrt((A/p + s)/g)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     steps_per_period: Option<u32>,
     /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; by default 1000
     #[arg(long, value_name = "N", value_parser = hertz, conflicts_with_all = ["times", "times_file", "from"])]
     hertz: Option<[u32; 2]>,
-    /// Columns in their order; JSON has error_bound too. By default t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta
+    /// Columns, in output order; JSON always adds error_bound. By default t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     columns: Vec<SampleColumn>,
     /// Form of the output

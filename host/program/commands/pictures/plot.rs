@@ -25,7 +25,7 @@ use toytop_host::pictures::{MAX_CYCLES, MotionSpan};
 
 /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
 ///
-/// For a held tip, --kind tip draws the axis, which is minus the tip of toytop state.
+/// For a held tip, --kind tip draws the axis instead.
 #[derive(Args)]
 #[command(after_help = "Symbols:\n  \
         u     cosine of the tilt, e1 <= u <= e2\n  \
