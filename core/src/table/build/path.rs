@@ -159,13 +159,14 @@ impl<'a, F: Float> Path<'a, F> {
     ) -> Option<Interval> {
         if !self.span.is_some_and(|span| (span.begin..span.end()).contains(&position)) {
             let depth = self.next_span_depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
-            self.span = (depth..=max_depth).find_map(|depth| {
-                let span = self.expand(Interval { begin: position, depth }, *point, pause);
-                if span.is_none() {
-                    self.next_span_depth = depth + 1;
+            self.span = None;
+            for depth in depth..=max_depth {
+                self.span = self.expand(Interval { begin: position, depth }, *point, pause);
+                if self.span.is_some() {
+                    break;
                 }
-                span
-            });
+                self.next_span_depth = depth + 1;
+            }
         }
         *point = self.end;
         self.span

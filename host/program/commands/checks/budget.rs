@@ -12,11 +12,11 @@ mod budgets;
 mod corpus;
 mod pages;
 
+use crate::arguments::values::{POSITIVE, number};
 use crate::files::doc_page::repository;
 use crate::files::whole_file;
 use crate::table::TextTable;
 use crate::terminal::stdout::Report;
-use crate::arguments::values::{POSITIVE, number};
 use budgets::{Budgets, FLASH_S};
 use clap::Args;
 use clap::builder::PossibleValuesParser;

@@ -1,10 +1,10 @@
 //! `toytop benchmark`: reference values of the problems that other integrators are tested with.
 
 use super::problem_files::{self, Problem, ReferenceSample};
-use crate::table::{Column, TextTable};
-use crate::terminal::stdout::Report;
 use crate::arguments::times::Times;
 use crate::arguments::values::{Values, counted_values};
+use crate::table::{Column, TextTable};
+use crate::terminal::stdout::Report;
 use clap::Args;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};

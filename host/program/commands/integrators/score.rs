@@ -2,6 +2,7 @@
 
 use super::problem_files;
 use crate::arguments::options::{PICTURE, ending_in};
+use crate::arguments::values::{POSITIVE, number};
 use crate::commands::pictures::drawing::{
     self,
     chart::{Chart, Curve},
@@ -9,7 +10,6 @@ use crate::commands::pictures::drawing::{
 use crate::files::whole_file;
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
-use crate::arguments::values::{POSITIVE, number};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;

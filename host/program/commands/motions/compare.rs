@@ -3,10 +3,10 @@
 mod bounds;
 
 use crate::arguments::options::{Method, Scalars, scalars};
+use crate::arguments::times::spread_times;
 use crate::commands::warnings::warnings;
 use crate::table::TextTable;
 use crate::terminal::stdout::Report;
-use crate::arguments::times::spread_times;
 use bounds::{Verdict, bound, compared_time, steps_per_period};
 use clap::Args;
 use serde::Serialize;

@@ -1,9 +1,9 @@
 //! `toytop events`: times of turning points, tilts, circles, tip angles and lift-off.
 
+use crate::arguments::values::{FINITE, POSITIVE, number};
 use crate::commands::warnings::warnings;
 use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
-use crate::arguments::values::{FINITE, POSITIVE, number};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;

@@ -3,12 +3,12 @@
 mod row_format;
 
 use crate::arguments::options::{Method, hertz};
+use crate::arguments::times::{Times, TimesArgs};
 use crate::commands::warnings::warnings;
 use crate::files::whole_file;
 use crate::terminal::parallel_rows::write_rows;
 use crate::terminal::progress::Progress;
 use crate::terminal::stdout::{self, Report};
-use crate::arguments::times::{Times, TimesArgs};
 use clap::{ArgGroup, Args};
 use row_format::RowFormat;
 use std::path::PathBuf;

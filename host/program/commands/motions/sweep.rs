@@ -3,10 +3,10 @@
 mod columns;
 mod rows;
 
+use crate::arguments::values::{LEAST_POSITIVE, Values, number};
 use crate::files::whole_file;
 use crate::terminal::parallel_rows::write_rows;
 use crate::terminal::stdout::{self, Report};
-use crate::arguments::values::{LEAST_POSITIVE, Values, number};
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
 use rows::{MAX_MOTIONS, Sweep};

@@ -3,11 +3,11 @@
 mod film;
 
 use crate::arguments::options::{ending_in, time_range};
+use crate::arguments::values::number;
 use crate::commands::warnings::warnings;
 use crate::files::whole_file;
 use crate::terminal::progress::Progress;
 use crate::terminal::stdout::Report;
-use crate::arguments::values::number;
 use clap::Args;
 use film::Film;
 use std::io::BufWriter;

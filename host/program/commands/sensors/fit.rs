@@ -4,10 +4,10 @@ mod report;
 mod residuals;
 
 use crate::arguments::options::{PICTURE, ending_in};
+use crate::arguments::values::{POSITIVE, number};
 use crate::commands::pictures::drawing;
 use crate::files::whole_file;
 use crate::terminal::stdout::Report;
-use crate::arguments::values::{POSITIVE, number};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::slice;

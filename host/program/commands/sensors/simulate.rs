@@ -1,8 +1,8 @@
 //! `toytop simulate`: simulated readings of sensors on a top.
 
+use crate::arguments::values::{POSITIVE, number};
 use crate::files::whole_file;
 use crate::terminal::stdout::{self, Report};
-use crate::arguments::values::{POSITIVE, number};
 use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;
