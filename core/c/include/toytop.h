@@ -78,7 +78,7 @@ enum toytop_status
   TOYTOP_TABLE_TOO_SMALL = 4,
   // The memory of a table or a workspace is not aligned, or the memory of a table has no room for 8 segments.
   TOYTOP_BAD_MEMORY = 5,
-  // A table, motion, cursor or sample was not made by this library, or its set-up failed.
+  // A table, motion, cursor or sample was not made by this library, its set-up failed, or it belongs to another or an earlier table.
   TOYTOP_NOT_SET_UP = 6,
   // The motion has no such event, angle or derivative.
   TOYTOP_NONE = 7,
@@ -346,7 +346,8 @@ toytop_status toytop_state_from_quaternion_and_gyro(const double *quaternion,
 // Refusals name a parameter of the top or of the state, `impulse` or `point`. `error` may be null.
 //
 // * `impulse`: three components in the fixed frame, N s
-// * `point`: three body coordinates of the point at which it acts, m from the tip
+// * `point`: three body coordinates of the point at which it acts, m from the tip, or from the centre of mass of a
+//   free body
 toytop_status toytop_impulse(const struct toytop_top *top,
                              const struct toytop_state *before,
                              const double *impulse,

@@ -153,7 +153,8 @@ pub unsafe extern "C" fn toytop_state_from_quaternion_and_gyro(
 /// Refusals name a parameter of the top or of the state, `impulse` or `point`. `error` may be null.
 ///
 /// * `impulse`: three components in the fixed frame, N s
-/// * `point`: three body coordinates of the point at which it acts, m from the tip
+/// * `point`: three body coordinates of the point at which it acts, m from the tip, or from the centre of mass of a
+///   free body
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_impulse(
     top: *const toytop_top,

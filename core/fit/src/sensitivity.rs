@@ -33,7 +33,7 @@ pub(crate) use trajectory::Trajectory;
 const FINE_STEP: f64 = 0.02;
 /// Longest step for a motion that was fitted, in the same unit. An error of 1e-9 has no effect there.
 pub(crate) const COARSE_STEP: f64 = 0.1;
-/// Longest step of a pass over measurements, in the same unit. The error of the derivatives is about 1e-4 in `f32`.
+/// Longest step of a pass over measurements, in the same unit. The error of the derivatives is below 2e-3 in `f32`.
 pub(crate) const PASS_STEP: f64 = 0.4;
 
 /// Partial derivatives of a motion with respect to its launch, as a function of time.

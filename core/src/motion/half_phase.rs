@@ -5,7 +5,7 @@ use crate::constants::{BranchPoints, ReducedPoint, Regime};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Whether u is constant to the last bit. A precession that nutates by less than 2^-49 rad still has a period.
+/// Whether u is constant to the last bit. A nutation below 2^-49 rad is not constant here, unlike in [`Regime`].
 pub(super) fn has_constant_tilt(e: &BranchPoints<Extended>, regime: Regime) -> bool {
     e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable
 }

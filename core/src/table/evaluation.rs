@@ -73,14 +73,14 @@ pub trait TickScalar: Scalar + Into<f64> + 'static {
     fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
 }
 
-/// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates share an exponent, because they may exceed its range.
+/// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates have a common exponent, because they may exceed 2.
 pub trait TickNumber: Ring {
     /// Sum of Horner's rule.
     type Sum;
     /// Type of lengths and rates.
     type Quantity: Real;
 
-    /// Product of the number and a power of two.
+    /// Product of the number and a power of two; the exponent of `f64` is always 0.
     fn ldexp(self, exponent: i32) -> Self::Quantity;
     /// Angular velocity Ω over a power of two, with the exponent of that power.
     ///

@@ -58,8 +58,14 @@ impl Times {
             TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
             TimesArgs { from, to, count, .. } => {
                 let [from, to] = [from, to].map(|time| time.unwrap_or_default());
-                let values = Values::range(from, to, false, *count)
-                    .map_err(|reason| Failure::Input(format!("--from, --to: {reason}")))?;
+                // the range names the parts of LOW..HIGH/COUNT
+                let in_options = |reason: &str| {
+                    let names = [("LOW", "--from"), ("HIGH", "--to"), ("COUNT", "--count")];
+                    let named =
+                        names.iter().fold(reason.to_owned(), |text, (part, name)| text.replace(part, name));
+                    Failure::Input(named)
+                };
+                let values = Values::range(from, to, false, *count).map_err(in_options)?;
                 Self::new("--from, --to, --count".to_owned(), &values)
             }
         }
@@ -87,7 +93,7 @@ impl Times {
     }
 
     fn read_file(path: &Path) -> Result<Self, Failure> {
-        /// Size of the largest file, MiB: some five million times.
+        /// Size of the largest file, MiB.
         const MAX_FILE_MIB: u64 = 64;
         let name = path.display();
         let text = text_file::read(&name.to_string(), path, MAX_FILE_MIB)?;

@@ -49,8 +49,8 @@ pub(crate) const CHROMIUM: Tool = tool(
 );
 pub(crate) const C: Tool = tool(
     "tools for C",
-    "gcc --version && g++ --version && clang --version && clang++ --version && ld.lld --version && cmake --version",
-    "apt-get install gcc g++ clang lld cmake",
+    "gcc --version && g++ --version && clang --version && clang++ --version && ld.lld --version && cmake --version && pkg-config --version",
+    "apt-get install gcc g++ clang lld cmake pkg-config",
 );
 pub(crate) const PYTHON: Tool = tool(
     "Python 3.10 with venv",

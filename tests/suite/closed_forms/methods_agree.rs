@@ -135,8 +135,8 @@ fn corners() -> Vec<(f64, f64, [f64; 3])> {
 }
 
 /// The error does not grow as differences of branch points shrink, alone or together, within some periods and after a
-/// million. Tables that do not fit, or whose bound exceeds 1e-14 rad, judge nothing (small A/(ps); the file `reference`
-/// compares those with exact values).
+/// million. Tables that do not fit, or whose bound exceeds 1.7e-14 rad, judge nothing (small A/(ps); the file
+/// `against_mpmath` compares those with exact values).
 #[test]
 fn the_error_does_not_grow_towards_any_corner() {
     let (mut worst, [mut judged, mut left_out]) = (0.0_f64, [0; 2]);

@@ -42,7 +42,7 @@ pub struct Clock<W> {
     pub ticks_per_time: [f64; 2],
     /// Mean tip angle at tick 0, with whole turns, in units of 2^-96 turns, lowest word first.
     pub tip_start: [u32; 4],
-    /// Increment of the mean tip angle per tick, in units of 2^-96 turns. It follows from `step_turns`, and spares a reader of baked tables
+    /// Increment of the mean tip angle per tick, in units of 2^-96 turns. It follows from `step_turns`; a reader of baked tables then needs no
     /// extended precision.
     pub tip_step: [u32; 4],
     /// Tick of the launch, from which the error bounds grow.

@@ -15,7 +15,7 @@ use crate::table::read::sample::Sample;
 impl<R: TickScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time, modulo 2^32 turns; `None` for an axis that stays vertical.
     ///
-    /// * φ(0) is in (-1/2, 1/2] turn.
+    /// * At the launch it is in (-1/2, 1/2] turn.
     /// * Where the curve passes through the centre, φ is smooth and the radius changes its sign: c = ±|c| e^{iφ}.
     /// * Error: the orientation error over 2|αβ|.
     /// * Cost: an arctangent, and a complex product for every segment since u = e₁.

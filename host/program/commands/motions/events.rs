@@ -25,7 +25,7 @@ use toytop_host::output::{self, Format, error_text, or_dash, significant};
         tip-angle=DEGREES  tip angle, apart from whole turns\n  \
         circle=RADIUS      distance of the tip from the centre; for a held tip the sine of the tilt\n  \
         lift-off           the normal force is 0; :up where a real top leaves the plane\n\
-        After 10000 events in succession that :up or :down leaves out, the search ends.\n\n\
+        The search ends after 10000 skipped events.\n\n\
         Example: toytop events host/scenarios/figure_3_loops.toml --kind turning,tilt=40:up,tip-angle=90 --count 20\n         \
         toytop events host/scenarios/toy_top.toml --kind tilt=22 --from 1e6 --format json")]
 pub struct EventsArgs {

@@ -51,7 +51,7 @@ fn wrong_arguments_are_refused() {
             ("--ticks 1 --hertz 0/1", "--hertz"),
             ("--times 1 --hertz 5", "'--times <T1,T2,...>' cannot be used with '--hertz <N>'"),
             ("--from 0 --to 1", "--count"),
-            ("--from 1 --to 0 --count 3", "--from, --to: LOW must be below HIGH"),
+            ("--from 1 --to 0 --count 3", "--from must be below --to"),
             ("--from 0 --to 1 --count 3 --times 1", "cannot be used with"),
             ("--times 1 --columns t,speed", "speed"),
             ("--times 1 --method euler", "euler ... ephemeris, stepper, full, closed-form"),
