@@ -58,14 +58,8 @@ impl Times {
             TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
             TimesArgs { from, to, count, .. } => {
                 let [from, to] = [from, to].map(|time| time.unwrap_or_default());
-                // the range names the parts of LOW..HIGH/COUNT
-                let in_options = |reason: &str| {
-                    let names = [("LOW", "--from"), ("HIGH", "--to"), ("COUNT", "--count")];
-                    let named =
-                        names.iter().fold(reason.to_owned(), |text, (part, name)| text.replace(part, name));
-                    Failure::Input(named)
-                };
-                let values = Values::range(from, to, false, *count).map_err(in_options)?;
+                let values = Values::range([from, to], false, *count, ["--from", "--to", "--count"])
+                    .map_err(Failure::Input)?;
                 Self::new("--from, --to, --count".to_owned(), &values)
             }
         }

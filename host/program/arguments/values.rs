@@ -49,17 +49,25 @@ pub enum Values {
 impl Values {
     /// Range from `low` to `high`.
     ///
+    /// * `names`: what the command line calls `low`, `high` and `count`
+    ///
     /// # Errors
     /// Condition that the numbers do not meet.
-    pub fn range(low: f64, high: f64, log: bool, count: Option<u32>) -> Result<Self, &'static str> {
+    pub fn range(
+        [low, high]: [f64; 2],
+        log: bool,
+        count: Option<u32>,
+        names: [&str; 3],
+    ) -> Result<Self, String> {
+        let [low_name, high_name, count_name] = names;
         if low >= high {
-            return Err("LOW must be below HIGH");
+            return Err(format!("{low_name} must be below {high_name}"));
         }
         if log && low <= 0.0 {
-            return Err("LOW must be above 0 with log:");
+            return Err(format!("{low_name} must be above 0 with log:"));
         }
         if count.is_some_and(|count| count < 2) {
-            return Err("COUNT must be a whole number from 2 to 4294967295");
+            return Err(format!("{count_name} must be a whole number from 2 to 4294967295"));
         }
         Ok(Self::Range { low, high, log, count })
     }
@@ -124,20 +132,20 @@ pub fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
 }
 
 /// Parser of values with a number: a list, or a range with a count.
-pub fn counted_values(text: &str) -> Result<Values, &'static str> {
+pub fn counted_values(text: &str) -> Result<Values, String> {
     let values: Values = text.parse()?;
     let allowed = "must be X,Y,... or LOW..HIGH/COUNT or log:LOW..HIGH/COUNT";
-    values.count().is_some().then_some(values).ok_or(allowed)
+    values.count().is_some().then_some(values).ok_or_else(|| allowed.to_owned())
 }
 
 const FORMS: &str =
     "must be a finite number, X,Y,... or LOW..HIGH or LOW..HIGH/COUNT (log:LOW..HIGH: even in the logarithm)";
 
 impl FromStr for Values {
-    type Err = &'static str;
+    type Err = String;
 
-    fn from_str(text: &str) -> Result<Self, &'static str> {
-        let number = |text: &str| number(FINITE)(text).map_err(|_| FORMS);
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| number(FINITE)(text).map_err(|_| FORMS.to_owned());
         let (log, rest) = text.strip_prefix("log:").map_or((false, text), |rest| (true, rest));
         let Some((low, rest)) = rest.split_once("..") else {
             return Ok(Self::List(text.split(',').map(number).collect::<Result<_, _>>()?));
@@ -145,7 +153,7 @@ impl FromStr for Values {
         let (high, count) = rest.split_once('/').map_or((rest, None), |(high, count)| (high, Some(count)));
         // an unparsable count is refused below, as 0 is
         let count = count.map(|count| count.trim().parse().unwrap_or(0));
-        Self::range(number(low)?, number(high)?, log, count)
+        Self::range([number(low)?, number(high)?], log, count, ["LOW", "HIGH", "COUNT"])
     }
 }
 
@@ -208,7 +216,7 @@ mod tests {
         for (text, reason) in
             [("2..1", "LOW must be below HIGH"), ("log:0..1/3", "LOW must be above 0 with log:")]
         {
-            assert_eq!(text.parse::<Values>(), Err(reason));
+            assert_eq!(text.parse::<Values>(), Err(reason.to_owned()));
         }
     }
 }

@@ -27,7 +27,7 @@ pub(crate) struct MotionCore {
     pub(crate) top: TopCore,
     pub(crate) launch: Launch,
     pub(crate) motion: Motion,
-    /// The same motion, whose period is integrated once.
+    /// Motion with its period, which is integrated once.
     constants: Mutex<TimedMotion>,
     tables: [OnceLock<Result<SharedEphemeris, String>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.

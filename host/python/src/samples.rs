@@ -102,10 +102,7 @@ impl Sampler {
         let numbers = writer.as_slice_mut()?;
         let fill = |motion: usize, first: usize, rows: &mut [f64]| match &self.source {
             Source::Tables(tables) => tables[motion].write(column, &times[first..], rows),
-            Source::Points(points) => {
-                let rows = rows.chunks_exact_mut(width);
-                points[first..].iter().zip(rows).for_each(|(point, row)| column.write(point, row));
-            }
+            Source::Points(points) => column.write_each(points[first..].iter().copied(), rows),
         };
         let of_motion = (width * times.len()).max(1);
         if numbers.len() <= width * BLOCK {

@@ -84,6 +84,12 @@ impl SampleColumn {
         }
     }
 
+    /// Writes its numbers for each sample, row after row.
+    pub fn write_each<Q: SampleQuantities>(self, samples: impl Iterator<Item = Q>, rows: &mut [f64]) {
+        let rows = rows.chunks_exact_mut(self.names().len());
+        samples.zip(rows).for_each(|(now, row)| self.write(&now, row));
+    }
+
     /// Writes its numbers into a row of as many numbers as it has names. NaN stands for a number that does not exist.
     #[inline]
     pub fn write(self, now: &impl SampleQuantities, row: &mut [f64]) {

@@ -81,9 +81,7 @@ impl MotionSource for ClosedFormSource {
     }
 
     fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-            column.write(&self.sample(*t, None), row);
-        }
+        column.write_each(times.iter().map(|t| self.sample(*t, None)), rows);
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.

@@ -93,9 +93,8 @@ where
     }
 
     fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        for (t, row) in times.iter().zip(rows.chunks_exact_mut(column.names().len())) {
-            column.write(&TableSample::new(self.table(), *t), row);
-        }
+        let table = self.table();
+        column.write_each(times.iter().map(|t| TableSample::new(table, *t)), rows);
     }
 
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
