@@ -128,7 +128,7 @@ pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
 pub use table::{
     Baked, BakedError, Clock, Cursor, ErrorBound, Pose, Sample, SetUpError, SizedTable, Table, TableF32,
-    TableF64, TableMemory, TableScalar, TableSettings, Tick, TickScalar, Workspace,
+    TableF64, TableMemory, TableScalar, TableSettings, Tick, Workspace,
 };
 #[cfg(feature = "fixed")]
 pub use table::{TableQ15, TableQ31};

@@ -25,8 +25,8 @@ pub(crate) use q30::Q30;
 #[cfg(feature = "fixed")]
 pub(crate) use sine::sine_cosine_q15;
 pub(crate) use sine::{
-    SINE_BITS, fraction_of_word, sine_cosine_f64, sine_cosine_from_q57, sine_cosine_of_phase,
-    sine_cosine_of_radians, sine_cosine_q26, sine_cosine_q31, sine_cosine_q57,
+    SINE_BITS, fraction_of_word, sine_cosine_f64, sine_cosine_of_phase, sine_cosine_of_radians,
+    sine_cosine_q26, sine_cosine_q31, sine_cosine_q57,
 };
 
 pub use wide::{Extended, Wide};

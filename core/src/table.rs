@@ -13,5 +13,5 @@ mod build;
 
 pub use build::*;
 pub use data::*;
-pub use evaluation::TickScalar;
+pub use evaluation::TableScalar;
 pub use read::*;

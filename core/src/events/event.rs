@@ -1,7 +1,7 @@
 //! Event: an instant in ticks.
 
 use crate::scalar::{Extended, Float};
-use crate::table::{Sample, Table, TickScalar};
+use crate::table::{Sample, Table, TableScalar};
 
 /// Instant in ticks, and the sense of the change.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ impl Event {
     }
 }
 
-impl<R: TickScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Time of an event of this table, or of one with the same ticks, in s: the nearest `f64`.
     #[must_use]
     pub fn time_of(&self, event: &Event) -> f64 {

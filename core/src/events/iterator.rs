@@ -4,21 +4,21 @@ use crate::events::recurring_instants::RecurringInstants;
 use crate::events::tip_angle_search::TipAngleSearch;
 use crate::events::{Event, Level};
 use crate::phase::Phase;
-use crate::table::{Table, TickScalar};
+use crate::table::{Table, TableScalar};
 
 /// Events of one kind in order, up to the last tick of `i64`.
 #[derive(Clone, Copy, Debug)]
-pub struct Events<'a, R: TickScalar>(Kind<'a, R>);
+pub struct Events<'a, R: TableScalar>(Kind<'a, R>);
 
 #[derive(Clone, Copy, Debug)]
-enum Kind<'a, R: TickScalar> {
+enum Kind<'a, R: TableScalar> {
     /// Events at nutation phases; only those at the first one are upward.
     Phases(RecurringInstants),
     /// Events at a tip angle.
     TipAngle(TipAngleSearch<'a, R>),
 }
 
-impl<R: TickScalar> Iterator for Events<'_, R> {
+impl<R: TableScalar> Iterator for Events<'_, R> {
     type Item = Event;
 
     fn next(&mut self) -> Option<Event> {
@@ -32,7 +32,7 @@ impl<R: TickScalar> Iterator for Events<'_, R> {
     }
 }
 
-impl<R: TickScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Turning points of u at tick `from` or later. There are none where u is constant to 2^-49.
     #[must_use]
     pub fn turning_points(&self, from: i64) -> Events<'_, R> {

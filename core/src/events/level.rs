@@ -7,7 +7,7 @@ use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real, Ring};
 use crate::su2::Orientation;
-use crate::table::{Phases, Sample, Table, TickScalar};
+use crate::table::{Phases, Sample, Table, TableScalar};
 
 /// Value of u, the cosine of the tilt, stored as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,13 +82,13 @@ impl Level {
     }
 
     /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.
-    pub(super) fn phase<R: TickScalar>(&self, table: &Table<R>) -> Option<Phase> {
+    pub(super) fn phase<R: TableScalar>(&self, table: &Table<R>) -> Option<Phase> {
         let reached = |nutation| self.is_reached(&at_phase(table, nutation).orientation());
         (reached(LAST_RISING) && !reached(0)).then(|| bisect(reached))
     }
 
     /// Whether u is at the level or above it, by tan²(tilt/2) = |β|²/|α|².
-    fn is_reached<R: TickScalar>(&self, orientation: &Orientation<R>) -> bool {
+    fn is_reached<R: TableScalar>(&self, orientation: &Orientation<R>) -> bool {
         let square = |z: Complex<R>| {
             let [re, im] = [z.re, z.im].map(Into::<f64>::into);
             re * re + im * im
@@ -101,7 +101,7 @@ impl Level {
 pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
 
 /// Sample at the 64 leading bits of a nutation phase, with mean phases 0.
-pub(super) fn at_phase<R: TickScalar>(table: &Table<R>, nutation: u64) -> Sample<'_, R> {
+pub(super) fn at_phase<R: TableScalar>(table: &Table<R>, nutation: u64) -> Sample<'_, R> {
     Sample { table, phases: Phases { nutation, alpha: 0, beta: 0 }, tick: 0, fraction: Phase::ZERO }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Ring};
-use crate::table::{Table, TickScalar};
+use crate::table::{Table, TableScalar};
 
 /// Distance from the start, in nutation phase, within which an instant is at the start.
 const PHASE_TOLERANCE: Phase = Phase::from_bits(1 << 46);
@@ -17,7 +17,7 @@ pub(super) struct RecurringInstants {
 
 impl RecurringInstants {
     /// Instants at tick `from` or later. There are none where u is constant.
-    pub(super) fn new<R: TickScalar>(table: &Table<R>, phases: [Option<Phase>; 4], from: i64) -> Self {
+    pub(super) fn new<R: TableScalar>(table: &Table<R>, phases: [Option<Phase>; 4], from: i64) -> Self {
         let nowhere = Self { next: [None; 4], period: None };
         let step = table.clock.steps_in_turns().nutation;
         if !(table.clock.has_turning_points && step > Extended::ZERO) {

@@ -8,11 +8,11 @@ use crate::events::level::{LAST_RISING, at_phase, bisect};
 use crate::events::recurring_instants::RecurringInstants;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float, Ring, Scalar};
-use crate::table::{Table, TickScalar};
+use crate::table::{Table, TableScalar};
 
 /// Instants of one tip angle in order.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct TipAngleSearch<'a, R: TickScalar> {
+pub(super) struct TipAngleSearch<'a, R: TableScalar> {
     table: &'a Table<R>,
     /// Ends of the monotone pieces.
     ends: RecurringInstants,
@@ -31,7 +31,7 @@ const PIECES_OF_A_PERIOD: usize = 5;
 /// Greatest number of skips. A skip covers all but 1e-9 of the way, so that three are enough for 2^63 ticks.
 const MAX_SKIPS: usize = 8;
 
-impl<R: TickScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Tip angle at a number of ticks, with a fraction.
     fn tip_angle_at(&self, ticks: Extended) -> Phase {
         self.at_ticks(ticks).tip_angle_unchecked()
@@ -57,7 +57,7 @@ impl<R: TickScalar> Table<R> {
     }
 }
 
-impl<'a, R: TickScalar> TipAngleSearch<'a, R> {
+impl<'a, R: TableScalar> TipAngleSearch<'a, R> {
     /// Search from tick `from` on.
     pub(super) fn new(table: &'a Table<R>, target: Phase, from: i64) -> Self {
         let reversal = table.reversal();

@@ -34,7 +34,7 @@ impl PeriodAdvance {
 
 /// Nutation period with ψ_α and ψ_β over it, and their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Period {
+pub(crate) struct Period {
     pub(crate) time: Extended,
     /// Angles ψ_α(T) and ψ_β(T), rad.
     pub(crate) psi: [Extended; 2],

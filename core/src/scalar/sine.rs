@@ -5,7 +5,7 @@
 //! | `sine_cosine_q31`, `q26`, `q15` | phase of 32 bits | integers, from points of the circle |
 //! | `sine_cosine_f64` | phase of 64 bits | `f64`, from polynomials |
 //! | `sine_cosine_of_phase`, `of_radians` | phase of 96 bits, angle | `f64`, relatively exact, from the same polynomials |
-//! | `sine_cosine_q57`, `from_q57` | phase of 96 bits | integers, or relatively exact `f64`, from power series |
+//! | `sine_cosine_q57` | phase of 96 bits | integers, from power series |
 //!
 //! `host` writes the constants into tables for C.
 
@@ -23,7 +23,7 @@ pub(crate) use chebyshev::{fraction_of_word, sine_cosine_f64, sine_cosine_of_pha
 pub(crate) use points::sine_cosine_q15;
 pub use points::{CUBIC, LINEAR, SINE_Q26, SINES, VERSINE};
 pub(crate) use points::{sine_cosine_q26, sine_cosine_q31};
-pub(crate) use q57::{SINE_BITS, sine_cosine_from_q57, sine_cosine_q57};
+pub(crate) use q57::{SINE_BITS, sine_cosine_q57};
 
 /// Sine and cosine of an angle that is larger by quarter turns.
 #[inline(always)]

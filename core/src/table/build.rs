@@ -14,7 +14,6 @@
 //!     launch_phases.rs       χ of the launch                -> nutation phase and mean phases of the launch
 //!   launch_clock.rs        mean rates, launch phases      -> clock, and with read/tip_angle.rs its tip angle
 //!   half_period/bound.rs   errors of all parts            -> error bounds
-//! table_scalar.rs, stored_coefficient.rs   what a set-up needs of a scalar and of its coefficients
 //! interval.rs            spans, cells and segments as parts of half a period
 //! ```
 //!
@@ -22,10 +21,6 @@
 //! polynomials of a and b are only halved and added: all are in units of 2^-62 (`polynomial`).
 //!
 //! `pause` is called between the parts of a set-up that take long: nodes of a quadrature, coefficients of an expansion, and segments.
-
-mod stored_coefficient;
-
-mod table_scalar;
 
 mod series;
 
@@ -48,7 +43,6 @@ mod launch_clock;
 mod set_up;
 
 pub use set_up::{SetUpError, TableSettings, Workspace};
-pub use table_scalar::TableScalar;
 
 #[cfg(test)]
 mod tests {

@@ -15,7 +15,9 @@
 //! | `I2F14` (q15) | `i16` | `i32` | `Q30` |
 //! | `f64` | `f64` | `f64` | `f64` |
 
-mod q30;
+pub(super) mod rounding;
+
+mod omega_q30;
 
 mod coefficient_i32;
 
@@ -25,9 +27,10 @@ mod coefficient_i16;
 mod coefficient_f64;
 
 use crate::complex::Complex;
-use crate::scalar::{Real, Ring, Scalar};
+use crate::scalar::{Float, Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
+use rounding::is_by_16_bits;
 
 /// Point of a segment.
 #[derive(Clone, Copy, Debug)]
@@ -42,8 +45,21 @@ pub struct SegmentPoint {
     pub(crate) is_falling: bool,
 }
 
-/// Scalar of a table that is read: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
-pub trait TickScalar: Scalar + Into<f64> + 'static {
+/// Upper bounds on the rounding errors of a tick, whose parts are listed in [the error bound](crate::error_bound).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TickErrors {
+    /// Orientation error for a body at rest, rad.
+    pub(super) orientation: f64,
+    /// Orientation error per rad that the body turns in half a segment.
+    pub(super) per_half_segment: f64,
+    /// Error of the angular velocity, divided by x' + |Λ_α' + Λ_β'|.
+    pub(super) omega: f64,
+    /// Further error of the angular velocity, relative to its greatest value.
+    pub(super) relative_omega: f64,
+}
+
+/// Scalar of a table: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
+pub trait TableScalar: Scalar + Into<f64> + 'static {
     /// Number in which a tick computes α, β and Ω.
     #[doc(hidden)]
     type Number: TickNumber<Sum = <Self::Coefficient as Coefficient>::Sum, Quantity = Self::Quantity>;
@@ -59,12 +75,25 @@ pub trait TickScalar: Scalar + Into<f64> + 'static {
         + 'static;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Quantity: Real;
+    /// Number type of the rates along the path of a set-up. `Extended` for `f64`, because a residual phase may be below 1e-16.
+    #[doc(hidden)]
+    type PathNumber: Float;
+
+    /// Code of the scalar in [the table format](crate::table_format).
+    const CODE: u32;
     /// Number of coefficients of a polynomial.
     const TERMS: usize;
     /// Segment whose coefficients are all 0.
     const ZERO_SEGMENT: Self::Segment;
-    /// Code of the scalar in [the table format](crate::table_format).
-    const CODE: u32;
+    /// Words of the numbers in which a set-up integrates the period.
+    #[doc(hidden)]
+    const PERIOD_WORDS: usize = 1;
+    /// Truncation error of a table unless another one is chosen, rad.
+    const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
+    /// Rounding errors of a tick.
+    #[doc(hidden)]
+    const ERRORS: TickErrors;
+
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: Self::Number) -> Self;
@@ -95,13 +124,17 @@ pub trait TickNumber: Ring {
     ) -> (Vector<Self>, i32);
 }
 
-/// Coefficient of a table, and what of its evaluation depends on its word.
+/// Coefficient of a table, and the operations that depend on its word: rounding in a set-up, evaluation in a tick.
 pub trait Coefficient: Copy + Debug + PartialEq {
     /// Sum of Horner's rule, and the local coordinate: `i32` for `i16`, otherwise the type of the coefficient itself.
     type Sum: Coefficient<Sum = Self::Sum, Number = Self::Number> + Default + Into<f64>;
     /// Number that the evaluation results in.
     type Number: TickNumber<Sum = Self::Sum>;
 
+    /// Coefficient of x^power nearest to a value in units of 2^-62.
+    fn nearest(value: i64, power: usize) -> Self;
+    /// Error that products by 16 bits of x cause beyond their part of a tick, both in units of 2^-62; infinite where a sum could overflow.
+    fn product_error(polynomial: &[i64]) -> f32;
     /// Coefficient in the scale of the sums.
     fn to_sum(self) -> Self::Sum;
     /// Local coordinate.
@@ -125,15 +158,9 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn sine_cosine_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> [Self::Sum; 2];
 }
 
-/// Whether 16 bits of x are enough for this power.
-#[inline(always)]
-pub(super) const fn is_by_16_bits(power: usize, terms: usize) -> bool {
-    2 * power > terms
-}
-
 /// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
 #[inline(always)]
-pub(crate) fn orientation<R: TickScalar>(
+pub(crate) fn orientation<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     [a, b]: [u64; 2],
@@ -147,7 +174,7 @@ pub(crate) fn orientation<R: TickScalar>(
 
 /// Orientation, and Ω over a power of two with its exponent, from the 64 leading bits of the mean phases.
 #[inline(always)]
-pub(crate) fn orientation_and_omega_body<R: TickScalar>(
+pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     mean_phases: [u64; 2],
@@ -164,7 +191,7 @@ pub(crate) fn orientation_and_omega_body<R: TickScalar>(
 }
 
 /// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients. The derivatives have a scale of their own.
-pub(crate) fn tabulated_a_b<R: TickScalar>(
+pub(crate) fn tabulated_a_b<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {

@@ -1,8 +1,8 @@
 //! Error budget: the parts of a table share the allowed truncation error.
 
-use crate::table::build::stored_coefficient::TABLE_UNIT;
-use crate::table::build::table_scalar::TableScalar;
 use crate::table::data::cell::MIN_DEPTH;
+use crate::table::evaluation::TableScalar;
+use crate::table::evaluation::rounding::TABLE_UNIT;
 
 /// Fraction of the allowed error for all steps along half a period. The segments have the rest.
 const PATH_FRACTION: f64 = 1.0 / 8.0;

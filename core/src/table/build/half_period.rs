@@ -27,8 +27,8 @@ use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
 use crate::scalar::{Extended, Float};
-use crate::table::build::table_scalar::TableScalar;
 use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
+use crate::table::evaluation::TableScalar;
 
 /// Quantities of half a period besides its segments.
 #[derive(Debug)]
@@ -71,8 +71,12 @@ impl HalfPeriod {
         memory.begin(motion);
         pause();
         // a steady motion has the period of an infinitesimal nutation, which does not count
-        let period =
-            if motion.has_constant_tilt() { None } else { R::period(motion, &memory.equations, pause) };
+        let equations = &memory.equations;
+        let period = match R::PERIOD_WORDS {
+            _ if motion.has_constant_tilt() => None,
+            1 => motion.period::<1>(equations, pause),
+            _ => motion.period::<2>(equations, pause),
+        };
         self.mean_rates = MeanRates::new(motion, period.as_ref());
         pause();
         match period {

@@ -4,9 +4,9 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
-use crate::table::build::table_scalar::TableScalar;
 use crate::table::data::cell::{MIN_SEGMENTS, is_falling};
 use crate::table::data::{Clock, Phases, Table, Tick};
+use crate::table::evaluation::TableScalar;
 
 impl<W: Float> Clock<W> {
     /// Clock of a motion; `start_tip_angle` adds [`Clock::tip_start`].

@@ -10,7 +10,7 @@ use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Scalar, sine_cosine_from_q57};
+use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::data::Phases;
 use crate::table::data::cell::Cell;
 
@@ -199,7 +199,7 @@ impl<'a, F: Float> Path<'a, F> {
         // y is in units of two spans
         let unit = 4.0 * half_length;
         let allowed = half_length * self.budget.path_error;
-        let (sine, cosine) = sine_cosine_from_q57(from.phases.chi);
+        let (sine, cosine) = f64::sine_cosine(from.phases.chi);
         let PathEquations { equations, half_period, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =
             self.equations.rates(sine, cosine).map(|rate| unit * rate);

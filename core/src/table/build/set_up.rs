@@ -7,9 +7,9 @@ use super::half_period::{HalfPeriod, TooManySegments};
 use super::path::PathScratch;
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::table::build::table_scalar::TableScalar;
 use crate::table::data::cell::MIN_SEGMENTS;
 use crate::table::data::{Clock, SizedTable, Table, TableMemory, Tick};
+use crate::table::evaluation::TableScalar;
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]

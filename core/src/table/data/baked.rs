@@ -9,7 +9,7 @@ use crate::table::data::Clock;
 use crate::table::data::ErrorBound;
 use crate::table::data::cell::{CELLS, Cell};
 use crate::table::data::table::{SizedTable, Table};
-use crate::table::evaluation::TickScalar;
+use crate::table::evaluation::TableScalar;
 use crc32::Crc32;
 
 /// Version of the format.
@@ -19,7 +19,7 @@ const FORMAT: u32 = 7;
 ///
 /// `table` refuses data that were changed or would overflow. A constant of such data does not compile.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Baked<R: TickScalar, const SEGMENTS: usize> {
+pub struct Baked<R: TableScalar, const SEGMENTS: usize> {
     /// Version of the format: [`Baked::FORMAT`].
     pub format: u32,
     /// CRC-32 of the format, the scalar, the number of segments and all fields below.
@@ -79,12 +79,12 @@ impl fmt::Display for BakedError {
 
 impl core::error::Error for BakedError {}
 
-impl<R: TickScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> Baked<R, SEGMENTS> {
     /// Version of the format that is read.
     pub const FORMAT: u32 = FORMAT;
 }
 
-impl<R: TickScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Checksum of the fields whose type does not depend on the scalar.
     const fn crc32_of_head(&self) -> Crc32 {
         let clock = &self.clock;

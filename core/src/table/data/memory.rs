@@ -1,7 +1,7 @@
 //! Memory for a table, which cannot be read before its set-up.
 
 use crate::table::data::{SizedTable, Table};
-use crate::table::evaluation::TickScalar;
+use crate::table::evaluation::TableScalar;
 use core::ops::{Deref, DerefMut};
 
 /// Memory of a table, in a static for example. The table cannot be read before its set-up.
@@ -13,7 +13,7 @@ pub struct TableMemory<T: ?Sized> {
     pub(crate) table: T,
 }
 
-impl<R: TickScalar, const SEGMENTS: usize> TableMemory<SizedTable<R, SEGMENTS>> {
+impl<R: TableScalar, const SEGMENTS: usize> TableMemory<SizedTable<R, SEGMENTS>> {
     /// Memory without a table. A static of it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
@@ -21,13 +21,13 @@ impl<R: TickScalar, const SEGMENTS: usize> TableMemory<SizedTable<R, SEGMENTS>> 
     }
 }
 
-impl<R: TickScalar, const SEGMENTS: usize> Default for TableMemory<SizedTable<R, SEGMENTS>> {
+impl<R: TableScalar, const SEGMENTS: usize> Default for TableMemory<SizedTable<R, SEGMENTS>> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<R: TickScalar> TableMemory<Table<R>> {
+impl<R: TableScalar> TableMemory<Table<R>> {
     /// Table, if the last set-up succeeded.
     #[must_use]
     pub fn get(&self) -> Option<&Table<R>> {
@@ -35,7 +35,7 @@ impl<R: TickScalar> TableMemory<Table<R>> {
     }
 }
 
-impl<R: TickScalar, const SEGMENTS: usize> Deref for TableMemory<SizedTable<R, SEGMENTS>> {
+impl<R: TableScalar, const SEGMENTS: usize> Deref for TableMemory<SizedTable<R, SEGMENTS>> {
     type Target = TableMemory<Table<R>>;
 
     fn deref(&self) -> &Self::Target {
@@ -43,7 +43,7 @@ impl<R: TickScalar, const SEGMENTS: usize> Deref for TableMemory<SizedTable<R, S
     }
 }
 
-impl<R: TickScalar, const SEGMENTS: usize> DerefMut for TableMemory<SizedTable<R, SEGMENTS>> {
+impl<R: TableScalar, const SEGMENTS: usize> DerefMut for TableMemory<SizedTable<R, SEGMENTS>> {
     fn deref_mut(&mut self) -> &mut Self::Target {
         self
     }

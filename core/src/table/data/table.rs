@@ -2,7 +2,7 @@
 
 use crate::table::data::cell::{CELLS, Cell, MIN_SEGMENTS};
 use crate::table::data::{Clock, ErrorBound};
-use crate::table::evaluation::TickScalar;
+use crate::table::evaluation::TableScalar;
 use core::ops::Deref;
 
 /// Table of one motion, of any capacity. Readers take a `&Table<f32>`.
@@ -10,7 +10,7 @@ use core::ops::Deref;
 /// The parameter S is the type of the segments: a slice, or the array of a [`SizedTable`].
 #[derive(Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
-pub struct Table<R: TickScalar, S: ?Sized = [<R as TickScalar>::Segment]> {
+pub struct Table<R: TableScalar, S: ?Sized = [<R as TableScalar>::Segment]> {
     pub(crate) clock: Clock<R::Quantity>,
     pub(crate) error_bound: ErrorBound,
     pub(crate) rate_error_bound: ErrorBound,
@@ -22,8 +22,8 @@ pub struct Table<R: TickScalar, S: ?Sized = [<R as TickScalar>::Segment]> {
 /// Table with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
 /// It has the methods of [`Table`]. Size: 4 · SEGMENTS ·
-/// [`TickScalar::TERMS`] coefficients, and 248 bytes, or 264 in `f64`.
-pub type SizedTable<R, const SEGMENTS: usize> = Table<R, [<R as TickScalar>::Segment; SEGMENTS]>;
+/// [`TableScalar::TERMS`] coefficients, and 248 bytes, or 264 in `f64`.
+pub type SizedTable<R, const SEGMENTS: usize> = Table<R, [<R as TableScalar>::Segment; SEGMENTS]>;
 
 /// Table in `f32`, 2.3 KB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
 pub type TableF32 = SizedTable<f32, 25>;
@@ -39,7 +39,7 @@ pub type TableQ31 = SizedTable<fixed::types::I2F30, 32>;
 #[cfg(feature = "fixed")]
 pub type TableQ15 = SizedTable<fixed::types::I2F14, 16>;
 
-impl<R: TickScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
     /// Table before set-up. All its bits are 0, so that it takes no flash.
     pub(super) const EMPTY: Self = {
         assert!(SEGMENTS >= MIN_SEGMENTS && SEGMENTS <= Cell::MAX_SEGMENTS);
@@ -53,7 +53,7 @@ impl<R: TickScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
     };
 }
 
-impl<R: TickScalar, const SEGMENTS: usize> Deref for SizedTable<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> Deref for SizedTable<R, SEGMENTS> {
     type Target = Table<R>;
 
     #[inline(always)]
@@ -62,7 +62,7 @@ impl<R: TickScalar, const SEGMENTS: usize> Deref for SizedTable<R, SEGMENTS> {
     }
 }
 
-impl<R: TickScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Number of segments that there is room for.
     #[must_use]
     pub fn capacity(&self) -> usize {
@@ -117,7 +117,7 @@ impl<R: TickScalar> Table<R> {
 }
 
 #[cfg(feature = "defmt")]
-impl<R: TickScalar, const SEGMENTS: usize> defmt::Format for SizedTable<R, SEGMENTS> {
+impl<R: TableScalar, const SEGMENTS: usize> defmt::Format for SizedTable<R, SEGMENTS> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "table of {=usize} segments, {}", SEGMENTS, self.error_bound());
     }

@@ -1,19 +1,28 @@
 //! Evaluation in `f64`.
 
 use crate::complex::Complex;
-use crate::scalar::{fraction_of_word, sine_cosine_f64};
+use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
-use crate::table::evaluation::{Coefficient, SegmentPoint, TickNumber, TickScalar};
+use crate::table::evaluation::rounding::TABLE_UNIT;
+use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors, TickNumber};
 
-impl TickScalar for f64 {
+impl TableScalar for f64 {
     type Number = Self;
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Quantity = Self;
+    type PathNumber = Extended;
 
+    const CODE: u32 = 64;
     const TERMS: usize = 11;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
-    const CODE: u32 = 64;
+    const PERIOD_WORDS: usize = 2;
+    const ERRORS: TickErrors = TickErrors {
+        orientation: 24.0 * <Self as Scalar>::ROUNDING,
+        per_half_segment: 0.0,
+        omega: 0.0,
+        relative_omega: 11.0 * <Self as Scalar>::ROUNDING,
+    };
 
     #[inline]
     fn from_number(number: Self) -> Self {
@@ -55,6 +64,14 @@ impl TickNumber for f64 {
 impl Coefficient for f64 {
     type Sum = Self;
     type Number = Self;
+
+    fn nearest(value: i64, _: usize) -> Self {
+        value as f64 * TABLE_UNIT
+    }
+
+    fn product_error(_: &[i64]) -> f32 {
+        0.0
+    }
 
     #[inline]
     fn to_sum(self) -> f64 {

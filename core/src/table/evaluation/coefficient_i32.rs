@@ -7,21 +7,38 @@
 //! For the upper half of the powers 16 bits of x are enough: their coefficients are small, as set-up verifies.
 
 use crate::complex::Complex;
-use crate::integer::{high_product, high_product_limited, product_32x16};
-use crate::scalar::{Q30, sine_cosine_q26};
-use crate::table::evaluation::{Coefficient, SegmentPoint, TickNumber, TickScalar};
+use crate::integer::{high_product, high_product_limited, product_32x16, shifted_right};
+use crate::scalar::{Q30, Scalar, sine_cosine_q26};
+use crate::table::evaluation::rounding::{TABLE_BITS, overflow_limit, truncated_factors};
+use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors, TickNumber};
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
 
-impl TickScalar for f32 {
+/// Unit of the results, 2^-30.
+const UNIT_Q30: f64 = 1.0 / (1_u64 << 30) as f64;
+/// Error of the local coordinate, by which a and b are off.
+pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
+/// Errors with sines to 31 bits.
+pub(super) const ERRORS_Q30: TickErrors = TickErrors {
+    orientation: (17.2 + 2.83 * 1.23) * UNIT_Q30,
+    per_half_segment: COORDINATE_ERROR,
+    omega: 44.0 * UNIT_Q30,
+    relative_omega: 3.7 * <f32 as Scalar>::ROUNDING,
+};
+
+impl TableScalar for f32 {
     type Number = Q30;
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
     type Quantity = Self;
+    type PathNumber = f64;
 
+    const CODE: u32 = 32;
     const TERMS: usize = 5;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
-    const CODE: u32 = 32;
+    /// Errors with sines to 26 bits and results in `f32`.
+    const ERRORS: TickErrors =
+        TickErrors { orientation: (17.2 + 2.83 * 12.5) * UNIT_Q30 + f32::EPSILON as f64, ..ERRORS_Q30 };
 
     #[inline]
     fn from_number(number: Q30) -> Self {
@@ -35,15 +52,18 @@ impl TickScalar for f32 {
 }
 
 #[cfg(feature = "fixed")]
-impl TickScalar for I2F30 {
+impl TableScalar for I2F30 {
     type Number = Q30;
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];
     type Quantity = f32;
+    type PathNumber = f64;
 
+    const CODE: u32 = 31;
     const TERMS: usize = 4;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 4];
-    const CODE: u32 = 31;
+    const TRUNCATION: f64 = 4.0 * Self::ROUNDING;
+    const ERRORS: TickErrors = ERRORS_Q30;
 
     #[inline]
     fn from_number(number: Q30) -> Self {
@@ -56,9 +76,29 @@ impl TickScalar for I2F30 {
     }
 }
 
+/// Error of products by 16 bits of x that counts as part of a tick, in units of 2^-62: 2^-31.
+const ACCEPTED_ERROR: f32 = (1_u32 << 31) as f32;
+
 impl Coefficient for i32 {
     type Sum = Self;
     type Number = Q30;
+
+    /// Coefficient with half a unit more, because the product added to it is rounded down. The constant has none: a complement changes its
+    /// sign.
+    fn nearest(value: i64, power: usize) -> Self {
+        let dropped = TABLE_BITS - 31 - power as u32;
+        let rounded = if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 };
+        rounded.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+    }
+
+    fn product_error(polynomial: &[i64]) -> f32 {
+        /// Least sum that could overflow: 1 minus 2^-15 and some thousand roundings of a coefficient.
+        const OVERFLOW: i64 = overflow_limit(3.2e-5);
+        let Some(factors) = truncated_factors(polynomial, OVERFLOW) else { return f32::INFINITY };
+        // from units of 2^-30, times the truncation of x to 2^-15
+        let error = factors as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
+        if error > ACCEPTED_ERROR { error - ACCEPTED_ERROR } else { 0.0 }
+    }
 
     #[inline]
     fn to_sum(self) -> i32 {
@@ -100,5 +140,39 @@ impl Coefficient for i32 {
             high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
             high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
         ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::table::evaluation::rounding::{TABLE_UNIT, polynomial_q62};
+
+    /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
+    /// contains both.
+    #[test]
+    fn what_16_bit_products_lose() {
+        let near =
+            |found: f64, expected: f64| assert!((found - expected).abs() < 2e-13, "{found:e} {expected:e}");
+        let error = |values| TABLE_UNIT * f64::from(i32::product_error(&polynomial_q62(values)));
+        let accepted = TABLE_UNIT * f64::from(ACCEPTED_ERROR);
+        // in range, but the short products are not accurate enough
+        near(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]), 0.04 / 32768.0 - accepted);
+        near(error([0.9, 0.3, 0.05, 0.02, -0.03, 0.01]), 0.05 / 32768.0 - accepted);
+        assert_eq!(error([0.9, 0.3, 0.05, 0.02, 0.0, 1e-9]), 0.0);
+        assert_eq!(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.04]), f64::INFINITY);
+    }
+
+    #[test]
+    fn a_coefficient_is_within_a_unit() {
+        for power in 0..16 {
+            for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
+                let [value] = polynomial_q62([value]);
+                let stored = f64::from(i32::nearest(value, power as usize)) * 2_f64.powi(-31 - power);
+                let error = stored - value as f64 * 2_f64.powi(-62);
+                assert!(error.abs() <= 2_f64.powi(-31 - power), "{power} {value}");
+            }
+        }
+        assert_eq!(i32::nearest(i64::MAX, 1), i32::MAX);
     }
 }

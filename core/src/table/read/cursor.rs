@@ -4,7 +4,7 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::su2::Orientation;
 use crate::table::data::Phases;
 use crate::table::data::Table;
-use crate::table::evaluation::TickScalar;
+use crate::table::evaluation::TableScalar;
 use crate::table::read::sample::Sample;
 use core::marker::PhantomData;
 
@@ -30,7 +30,7 @@ pub struct Cursor<R> {
     scalar: PhantomData<fn() -> R>,
 }
 
-impl<R: TickScalar> Cursor<R> {
+impl<R: TableScalar> Cursor<R> {
     /// Sample of the next tick of the table that made the cursor; another table gives a wrong orientation. The sequence has no end
     /// and cannot fail.
     #[inline(always)]
@@ -58,7 +58,7 @@ impl<R: TickScalar> Cursor<R> {
     }
 }
 
-impl<R: TickScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Cursor whose first sample is at tick `first`.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<R> {
@@ -81,7 +81,7 @@ impl<R: TickScalar> Table<R> {
 
 /// Tick of the last sample.
 #[cfg(feature = "defmt")]
-impl<R: TickScalar> defmt::Format for Cursor<R> {
+impl<R: TableScalar> defmt::Format for Cursor<R> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "cursor at tick {=i64}", self.tick());
     }

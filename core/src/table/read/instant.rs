@@ -5,10 +5,10 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::Extended;
 use crate::table::data::Phases;
 use crate::table::data::{Clock, Table};
-use crate::table::evaluation::TickScalar;
+use crate::table::evaluation::TableScalar;
 use crate::table::read::sample::Sample;
 
-impl<R: TickScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Sample of the motion at tick n, of either sign.
     #[inline(always)]
     #[must_use]

@@ -2,16 +2,16 @@
 
 use crate::table::data::Table;
 use crate::table::data::cell::{Cell, MIN_DEPTH};
-use crate::table::evaluation::{SegmentPoint, TickScalar};
+use crate::table::evaluation::{SegmentPoint, TableScalar};
 
 /// Segment of a nutation phase, and the point of it. As a tuple it would cost a tick six cycles.
-pub(super) struct LocatedSegment<'a, R: TickScalar> {
+pub(super) struct LocatedSegment<'a, R: TableScalar> {
     pub(super) rows: &'a [[R::Coefficient; 4]],
     pub(super) index: usize,
     pub(super) point: SegmentPoint,
 }
 
-impl<R: TickScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Segment of a nutation phase, given by its 64 leading bits.
     #[inline(always)]
     pub(super) fn segment_at(&self, nutation: u64) -> LocatedSegment<'_, R> {

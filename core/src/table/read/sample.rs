@@ -6,15 +6,15 @@ use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::Phases;
 use crate::table::data::Table;
-use crate::table::evaluation::{TickNumber, TickScalar, orientation, orientation_and_omega_body};
+use crate::table::evaluation::{TableScalar, TickNumber, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] do so once for several quantities.
 ///
-/// Lengths and rates are in [`TickScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
+/// Lengths and rates are in [`TableScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
 #[derive(Clone, Copy, Debug)]
-pub struct Sample<'a, R: TickScalar> {
+pub struct Sample<'a, R: TableScalar> {
     pub(crate) table: &'a Table<R>,
     /// 64 leading bits of the phases.
     pub(crate) phases: Phases<u64>,
@@ -36,7 +36,7 @@ pub struct Pose<R, W> {
     pub tip: Complex<W>,
 }
 
-impl<R: TickScalar> Sample<'_, R> {
+impl<R: TableScalar> Sample<'_, R> {
     /// Nutation phase: one turn a period, 0 at u = e₁, half a turn at u = e₂.
     #[must_use]
     pub fn nutation_phase(&self) -> Phase {
@@ -168,7 +168,7 @@ impl<R: TickScalar> Sample<'_, R> {
 }
 
 #[cfg(feature = "defmt")]
-impl<R: TickScalar + defmt::Format> defmt::Format for Sample<'_, R> {
+impl<R: TableScalar + defmt::Format> defmt::Format for Sample<'_, R> {
     fn format(&self, f: defmt::Formatter<'_>) {
         defmt::write!(f, "{} (nutation {})", self.orientation(), self.nutation_phase());
     }

@@ -8,11 +8,11 @@ use crate::phase::Phase;
 use crate::table::data::Phases;
 use crate::table::data::Table;
 use crate::table::data::cell::is_falling;
-use crate::table::evaluation::{TickScalar, a_b_at_centre, tabulated_a_b};
+use crate::table::evaluation::{TableScalar, a_b_at_centre, tabulated_a_b};
 use crate::table::read::located_segment::LocatedSegment;
 use crate::table::read::sample::Sample;
 
-impl<R: TickScalar> Sample<'_, R> {
+impl<R: TableScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time, modulo 2^32 turns; `None` for an axis that stays vertical.
     ///
     /// * At the launch it is in (-1/2, 1/2] turn.
@@ -30,7 +30,7 @@ impl<R: TickScalar> Sample<'_, R> {
     }
 }
 
-impl<R: TickScalar> Table<R> {
+impl<R: TableScalar> Table<R> {
     /// Mean rate of the tip angle, rad/s; 0 for an axis that stays vertical.
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {

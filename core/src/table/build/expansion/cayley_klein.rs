@@ -4,7 +4,7 @@ use super::{Expansion, MAX_TERMS, PowerSeries};
 use crate::integer::{Limbs, shifted_right, to_units};
 use crate::scalar::{Ring, SINE_BITS, sine_cosine_q57};
 use crate::table::build::series::{BITS, UnitFactor, in_range, integrated};
-use crate::table::build::stored_coefficient::TABLE_BITS;
+use crate::table::evaluation::rounding::TABLE_BITS;
 
 /// Difference of the fraction bits of a coefficient of a or b, 62, and of one of an exponential, 56.
 const MORE_BITS: i32 = TABLE_BITS as i32 - BITS;
@@ -109,8 +109,8 @@ mod tests {
     use crate::constants::{BranchPoints, Sign, Signs};
     use crate::motion::phase_equations::PhaseEquations;
     use crate::phase::Phase;
-    use crate::scalar::{Extended, Float, Scalar, sine_cosine_from_q57};
-    use crate::table::build::stored_coefficient::TABLE_UNIT;
+    use crate::scalar::{Extended, Float, Scalar};
+    use crate::table::evaluation::rounding::TABLE_UNIT;
 
     fn equations(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
         let parameters = TopParameters {
@@ -146,7 +146,7 @@ mod tests {
                     chi: Phase::from_turns(turns),
                     residual: [Phase::from_turns(0.3), Phase::from_turns(-0.4)],
                 };
-                let (sine, cosine) = sine_cosine_from_q57(phases.chi);
+                let (sine, cosine) = f64::sine_cosine(phases.chi);
                 let rates = exact.rates(sine.into(), cosine.into());
                 let beyond = rounded.rates(sine, cosine);
                 let size = [beyond.chi, beyond.psi_alpha, beyond.psi_beta].into_iter().map(f64::abs);

@@ -3,8 +3,8 @@
 use super::{HalfPeriod, MeanRates};
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring};
-use crate::table::build::table_scalar::TickErrors;
 use crate::table::data::{ErrorBound, Phases};
+use crate::table::evaluation::TickErrors;
 
 /// One turn in rad.
 const TURN: f64 = 2.0 * core::f64::consts::PI;
@@ -64,9 +64,8 @@ mod tests {
     use crate::table::build::error_budget::ErrorBudget;
     use crate::table::build::half_period::stored_segment::SegmentBounds;
     use crate::table::build::path::PathScratch;
-    use crate::table::build::table_scalar::TableScalar;
     use crate::table::build::tests::nutating_motion;
-    use crate::table::evaluation::TickScalar;
+    use crate::table::evaluation::TableScalar;
     use crate::{Release, State, Top, TopParameters};
 
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.

@@ -4,8 +4,9 @@ use crate::scalar::{Float, Ring};
 use crate::table::build::interval::Interval;
 use crate::table::build::path::{Path, PathScratch};
 use crate::table::build::polynomial::Polynomial;
-use crate::table::build::stored_coefficient::{StoredCoefficient, TABLE_UNIT};
-use crate::table::build::table_scalar::TableScalar;
+use crate::table::evaluation::Coefficient;
+use crate::table::evaluation::TableScalar;
+use crate::table::evaluation::rounding::TABLE_UNIT;
 
 /// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if there is one. Returns the error of 16-bit products, rad;
 /// infinite on overflow.
