@@ -52,7 +52,6 @@ pub mod internal {
         COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE, rotate_quarter_turns,
     };
 
-    use crate::motion::phase_equations::PhaseEquations;
     use crate::scalar::Extended;
     use crate::{BranchPoints, FirstIntegrals, Motion, Phase, Top};
 
@@ -76,7 +75,7 @@ pub mod internal {
         motion.half_tau
     }
 
-    /// Half phase χ of a motion at t = 0; `None` where u is constant.
+    /// Half phase χ of a motion at t = 0; `None` for a steady motion.
     pub fn half_phase(motion: &Motion) -> Option<Phase> {
         motion.half_phase
     }
@@ -86,32 +85,12 @@ pub mod internal {
         motion.slow_phases
     }
 
-    /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
-    pub fn aperiodic_v(motion: &Motion) -> Option<f64> {
-        motion.aperiodic_v()
-    }
-
-    /// Phase equations of a motion.
-    pub fn phase_equations(motion: &Motion) -> PhaseEquations<Extended> {
-        motion.equations()
-    }
-
     /// Unrounded period of a motion, s, and its rotations about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT;
     /// `None` where [`Motion::period_advance`] is.
     pub fn period_and_rotations(motion: &Motion) -> Option<(Extended, [Phase; 2])> {
         let period = motion.period::<2>(&motion.equations(), &mut || {})?;
         let rotations = period.rotations(motion.half_tau).map(|angle| angle.radians_to_turns().to_phase());
         Some((period.time, rotations))
-    }
-
-    /// Nearest quarter turn of a phase, modulo 4 in the two lowest bits, and the remainder in [-1/8, 1/8) turn.
-    pub fn quadrant(phase: Phase) -> (u32, Phase) {
-        phase.quadrant()
-    }
-
-    /// Number of whole half turns of a phase, and the remainder in [0, 1/2) turn.
-    pub fn split_half_turns(phase: Phase) -> (i64, Phase) {
-        phase.split_half_turns()
     }
 }
 

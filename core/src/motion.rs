@@ -35,7 +35,7 @@ pub struct Motion {
     pub(crate) half_tau: Extended,
     pub(crate) ellipses: Ellipses<f64>,
     regime: Regime,
-    /// Half phase χ at t = 0; `None` where u is constant.
+    /// Half phase χ at t = 0; `None` for a steady motion.
     pub(crate) half_phase: Option<Phase>,
     /// Slow phases of α and β at t = 0.
     pub(crate) slow_phases: [Phase; 2],
@@ -75,8 +75,8 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and the advances over it. A constant u has the period of an infinitesimal nutation. `None` if e₂ = e₃, and for a
-    /// body without torque and angular momentum.
+    /// Nutation period, and the advances over it. That of an infinitesimal nutation for a steady motion. `None` if e₂ = e₃, and
+    /// for a body without torque and angular momentum.
     ///
     /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
@@ -102,16 +102,17 @@ impl Motion {
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.
     pub(crate) fn windings(&self) -> [i32; 2] {
-        if self.has_constant_tilt() { [1; 2] } else { self.ellipses.windings() }
+        if self.is_steady() { [1; 2] } else { self.ellipses.windings() }
     }
 
-    /// Number e^{iχ} at t = 0; 1 where u is constant.
+    /// Number e^{iχ} at t = 0; 1 for a steady motion.
     pub(crate) fn cis_chi(&self) -> Complex<f64> {
         self.half_phase.map_or(Complex::ONE, Complex::cis)
     }
 
     /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
-    pub(crate) fn aperiodic_v(&self) -> Option<f64> {
+    #[doc(hidden)]
+    pub fn aperiodic_v(&self) -> Option<f64> {
         let Complex { re: cosine, im: sine } = self.cis_chi();
         (self.regime == Regime::Aperiodic).then(|| libm::asinh(sine / cosine))
     }
@@ -124,11 +125,11 @@ impl Motion {
     /// Least normal force over the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
-            if self.has_constant_tilt() { 1.0 } else { normal_force::minimum(&self.e, self.top.a_over_ps()) }
+            if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, self.top.a_over_ps()) }
         })
     }
 
-    /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of the slow phases where u is constant, rad/s; 0 for a parameter that is 0.
+    /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of the slow phases of a steady motion, rad/s; 0 for a parameter that is 0.
     pub(crate) fn steady_rates(&self) -> [Extended; 2] {
         let twice_a = self.top.a.doubled();
         let zero = Extended::ZERO;
@@ -141,12 +142,14 @@ impl Motion {
         [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
     }
 
-    pub(crate) fn has_constant_tilt(&self) -> bool {
+    /// Whether u is constant to the last bit.
+    pub(crate) fn is_steady(&self) -> bool {
         self.half_phase.is_none()
     }
 
     /// Phase equations of the motion.
-    pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
+    #[doc(hidden)]
+    pub fn equations(&self) -> PhaseEquations<Extended> {
         PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs, self.torque_free_rate)
     }
 }

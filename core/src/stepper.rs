@@ -13,7 +13,7 @@ use crate::su2::{AttitudeState, Orientation};
 /// Stepper of one motion, by steps of any length and either sign.
 ///
 /// Order 4 in dt. Error over ten periods: below 1e-12 rad with 4096 steps a period in `f64`, below 1e-5 rad with 512 in `f32`; more near the
-/// separatrix. Where u is constant, a step is exact.
+/// separatrix. A step of a steady motion is exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stepper<R> {
     ellipses: Ellipses<R>,
@@ -30,16 +30,13 @@ pub struct Stepper<R> {
     phi_origin: Option<Phase>,
 }
 
-/// Changes of χ, ψ_α and ψ_β over a step, rad.
-type PhaseChanges<R> = PhaseRates<R>;
-
 /// Half phase χ, in the form in which a step advances it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum HalfPhase {
     /// None: u and the rates of the slow phases are constant.
     Steady,
     /// χ of a motion between two turning points.
-    Nutating(Phase),
+    Periodic(Phase),
     /// v of an aperiodic motion, with χ = gd v.
     Aperiodic(Extended),
 }
@@ -48,11 +45,8 @@ impl<R: Real> Stepper<R> {
     /// Stepper at t = 0. Its constants are rounded once from extended precision to `R`.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
-        let rates = if motion.has_constant_tilt() {
-            motion.steady_rates()
-        } else {
-            [motion.half_tau, -motion.half_tau]
-        };
+        let rates =
+            if motion.is_steady() { motion.steady_rates() } else { [motion.half_tau, -motion.half_tau] };
         let top = motion.top();
         let integrals = motion.first_integrals();
         let per_a = 0.25 / top.transverse_inertia();
@@ -61,7 +55,7 @@ impl<R: Real> Stepper<R> {
             equations: motion.equations().map(R::from_extended),
             half_phase: match (motion.aperiodic_v(), motion.half_phase) {
                 (Some(v), _) => HalfPhase::Aperiodic(v.into()),
-                (None, Some(chi)) => HalfPhase::Nutating(chi),
+                (None, Some(chi)) => HalfPhase::Periodic(chi),
                 (None, None) => HalfPhase::Steady,
             },
             slow_phases: motion.slow_phases,
@@ -84,13 +78,14 @@ impl<R: Real> Stepper<R> {
             return;
         }
         let change = match self.half_phase {
-            HalfPhase::Steady => PhaseChanges::ZERO,
-            HalfPhase::Nutating(chi) => {
+            HalfPhase::Steady => Rates { variable: R::ZERO, psi_alpha: R::ZERO, psi_beta: R::ZERO },
+            HalfPhase::Periodic(chi) => {
                 let change = runge_kutta(dt, |delta| {
                     let (sine, cosine) = R::sine_cosine(chi + phase_from_radians(delta));
-                    self.equations.rates(sine, cosine)
+                    let PhaseRates { chi, psi_alpha, psi_beta } = self.equations.rates(sine, cosine);
+                    Rates { variable: chi, psi_alpha, psi_beta }
                 });
-                self.half_phase = HalfPhase::Nutating(chi + phase_from_radians(change.chi));
+                self.half_phase = HalfPhase::Periodic(chi + phase_from_radians(change.variable));
                 change
             }
             HalfPhase::Aperiodic(v) => {
@@ -98,17 +93,17 @@ impl<R: Real> Stepper<R> {
                 let at = |delta: R| v + delta.to_f64().clamp(f64::MIN, f64::MAX).into();
                 let change = runge_kutta(dt, |delta| {
                     let Complex { re: sech, im: tanh } = gudermannian(R::from_extended(at(delta)));
-                    let v = self.equations.aperiodic_rate(tanh, sech);
-                    PhaseRates { chi: v, ..self.equations.rates(tanh, sech) }
+                    let PhaseRates { psi_alpha, psi_beta, .. } = self.equations.rates(tanh, sech);
+                    Rates { variable: self.equations.aperiodic_rate(tanh, sech), psi_alpha, psi_beta }
                 });
-                self.half_phase = HalfPhase::Aperiodic(at(change.chi));
+                self.half_phase = HalfPhase::Aperiodic(at(change.variable));
                 change
             }
         };
         let advance = |(rate, _): (Extended, R)| (rate * dt.to_f64().into()).to_phase();
         let [alpha_rate, beta_rate] = self.constant_rates;
         let alpha_advance = advance(alpha_rate);
-        // the constant rates are ±τ/2 unless u is constant, and a product costs much
+        // the constant rates are ±τ/2 unless the motion is steady, and a product costs much
         let beta_advance =
             if self.half_phase == HalfPhase::Steady { advance(beta_rate) } else { -alpha_advance };
         let [alpha, beta] = &mut self.slow_phases;
@@ -170,7 +165,7 @@ impl<R: Real> Stepper<R> {
     fn cis_chi(&self) -> Complex<R> {
         match self.half_phase {
             HalfPhase::Steady => Complex::ONE,
-            HalfPhase::Nutating(chi) => Complex::cis(chi),
+            HalfPhase::Periodic(chi) => Complex::cis(chi),
             HalfPhase::Aperiodic(v) => gudermannian(R::from_extended(v)),
         }
     }
@@ -191,7 +186,7 @@ impl<R: Real> Stepper<R> {
         let [alpha_phase, beta_phase] = self.slow_phases;
         let chi = match self.half_phase {
             HalfPhase::Steady => Phase::ZERO,
-            HalfPhase::Nutating(chi) => chi,
+            HalfPhase::Periodic(chi) => chi,
             HalfPhase::Aperiodic(_) => phase_from_radians(cis_chi.arg()),
         };
         let Ellipses { alpha, beta } = &self.ellipses;
@@ -202,17 +197,30 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// Changes over dt by a Runge-Kutta step of order 4. In an aperiodic motion v takes the place of χ.
-fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseChanges<R> {
+/// Rates, or changes over a step, of the variable χ (v of an aperiodic motion) and of ψ_α and ψ_β, which follow from it.
+struct Rates<R> {
+    variable: R,
+    psi_alpha: R,
+    psi_beta: R,
+}
+
+/// Changes over dt by a Runge-Kutta step of order 4.
+///
+/// * `rates`: rates after a change of the variable
+fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> Rates<R>) -> Rates<R> {
     let half = dt.halved();
     let k1 = rates(R::ZERO);
-    let k2 = rates(k1.chi * half);
-    let k3 = rates(k2.chi * half);
-    let k4 = rates(k3.chi * dt);
+    let k2 = rates(k1.variable * half);
+    let k3 = rates(k2.variable * half);
+    let k4 = rates(k3.variable * dt);
     let sixth = dt * R::from_f64(1.0 / 6.0);
-    let mean =
-        |part: fn(&PhaseRates<R>) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
-    PhaseChanges { chi: mean(|k| k.chi), psi_alpha: mean(|k| k.psi_alpha), psi_beta: mean(|k| k.psi_beta) }
+    let change =
+        |part: fn(&Rates<R>) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
+    Rates {
+        variable: change(|k| k.variable),
+        psi_alpha: change(|k| k.psi_alpha),
+        psi_beta: change(|k| k.psi_beta),
+    }
 }
 
 /// Unit complex number e^{iχ} = sech v + i tanh v, for χ = gd v, the Gudermannian of v.

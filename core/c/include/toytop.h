@@ -638,7 +638,7 @@ toytop_status toytop_q31_next_quaternion(const struct toytop_table_q31 *table,
                                          struct toytop_cursor *cursor,
                                          int32_t *quaternion);
 
-// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
+// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where the tilt is constant to 2^-49 rad.
 toytop_status toytop_f32_turning_points(const struct toytop_table_f32 *table,
                                         int64_t from,
                                         struct toytop_events *events);
@@ -660,7 +660,7 @@ toytop_status toytop_f32_tip_angles(const struct toytop_table_f32 *table,
 // Next of the events. `TOYTOP_NONE` where there is none.
 toytop_status toytop_f32_next_event(struct toytop_events *events, struct toytop_event *event);
 
-// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
+// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where the tilt is constant to 2^-49 rad.
 toytop_status toytop_f64_turning_points(const struct toytop_table_f64 *table,
                                         int64_t from,
                                         struct toytop_events *events);
@@ -682,7 +682,7 @@ toytop_status toytop_f64_tip_angles(const struct toytop_table_f64 *table,
 // Next of the events. `TOYTOP_NONE` where there is none.
 toytop_status toytop_f64_next_event(struct toytop_events *events, struct toytop_event *event);
 
-// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
+// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where the tilt is constant to 2^-49 rad.
 toytop_status toytop_q31_turning_points(const struct toytop_table_q31 *table,
                                         int64_t from,
                                         struct toytop_events *events);

@@ -53,7 +53,7 @@ macro_rules! functions {
     ($name:ident, $scalar:ty, $table:ty, $orientation:ty, $rate:ty) => { pastey::paste! {
 
 reader! {
-/// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where u is constant.
+/// Turning points of u at tick `from` or later; `upward` is 1 where u = e2. There are none where the tilt is constant to 2^-49 rad.
 [<toytop_ $name _turning_points>](table: $table; from: i64, events: *mut toytop_events)
     |table, from, events| store_from::<$scalar, _, _>(table, events, |table| Ok(table.turning_points(from)))
 }

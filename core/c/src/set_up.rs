@@ -130,7 +130,7 @@ pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toyto
     // SAFETY: the caller guarantees a valid pointer.
     let motion: Result<Motion, Refusal> = unsafe { load(motion) };
     let truncation = chosen(truncation).unwrap_or(<$scalar>::TRUNCATION);
-    let needed = |motion| Table::<$scalar>::segments_needed(&motion, truncation);
+    let needed = |motion| Table::<$scalar>::segments_needed(&motion, truncation).ok();
     motion.ok().and_then(needed).unwrap_or(0)
 }
 

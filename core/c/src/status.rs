@@ -101,10 +101,7 @@ impl From<SetUpError> for Refusal {
             SetUpError::TableTooSmall { segments, .. } => {
                 Self { segments, ..Self::from(TOYTOP_TABLE_TOO_SMALL) }
             }
-            SetUpError::Truncation => {
-                let allowed = "positive, or 0 for that of the scalar";
-                ParameterError::OutOfRange { parameter: "truncation", allowed }.into()
-            }
+            SetUpError::Parameter(error) => error.into(),
             _ => TOYTOP_NO_TABLE.into(),
         }
     }

@@ -17,7 +17,7 @@ use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods, solve_increasing};
 use crate::theta_quotient::{ThetaQuotient, zeros};
-use toytop::internal::{branch_points, first_integrals, half_phase, split_half_turns, top_constants};
+use toytop::internal::{branch_points, first_integrals, half_phase, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -84,7 +84,7 @@ impl E3EqualsE4 {
         let rotations = [alpha.rotation(highest, whole), beta.rotation(lowest, whole)];
 
         // y(0) within half a period of u = e₂, from cos²χ = sn²(√(e₂ + e₃) y)
-        let (_, remainder) = split_half_turns(chi);
+        let (_, remainder) = chi.split_half_turns();
         let (sine, cosine) = of_turns(remainder - Phase::QUARTER);
         let middle = e1_plus_e3 + e.e2_minus_e1 * cosine.squared();
         let start = sine * carlson_rf(e2_plus_e3 * cosine.squared(), middle, e2_plus_e3);

@@ -15,7 +15,7 @@ use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, zeros};
-use toytop::internal::{branch_points, half_phase, split_half_turns, top_constants};
+use toytop::internal::{branch_points, half_phase, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Regime, Support};
 
@@ -107,7 +107,7 @@ impl Lagrange {
 
 /// z(0) within half a period of u = e₁: the elliptic integral of χ.
 fn since_lowest(e: &BranchPoints<Extended>, chi: Phase) -> Extended {
-    let (_, remainder) = split_half_turns(chi);
+    let (_, remainder) = chi.split_half_turns();
     let remainder = if remainder > Phase::QUARTER { remainder - Phase::HALF } else { remainder };
     let (sine, cosine) = of_turns(remainder);
     let squared = cosine * cosine;

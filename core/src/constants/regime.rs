@@ -44,7 +44,7 @@ impl Regime {
         }
     }
 
-    /// Whether u is constant and the axis is not vertical.
+    /// Whether the tilt is constant, to 2^-49 rad, and the axis is not vertical.
     pub fn is_regular_precession(&self) -> bool {
         matches!(self, Self::SlowPrecession | Self::FastPrecession)
     }

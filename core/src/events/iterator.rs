@@ -33,7 +33,7 @@ impl<R: TableScalar> Iterator for Events<'_, R> {
 }
 
 impl<R: TableScalar> Table<R> {
-    /// Turning points of u at tick `from` or later. There are none where u is constant to 2^-49.
+    /// Turning points of u at tick `from` or later. There are none where the tilt is constant to 2^-49 rad.
     #[must_use]
     pub fn turning_points(&self, from: i64) -> Events<'_, R> {
         self.at_phases([Some(Phase::HALF), Some(Phase::ZERO)], from)

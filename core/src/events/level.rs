@@ -60,7 +60,7 @@ impl Level {
     /// its sign: see [`Motion::min_normal_force`].
     #[must_use]
     pub fn lift_off(motion: &Motion) -> Option<Self> {
-        if motion.top().support() != Support::Sliding || motion.has_constant_tilt() {
+        if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }
         let e = &motion.e;

@@ -16,7 +16,7 @@ pub(super) struct RecurringInstants {
 }
 
 impl RecurringInstants {
-    /// Instants at tick `from` or later. There are none where u is constant.
+    /// Instants at tick `from` or later. There are none without turning points.
     pub(super) fn new<R: TableScalar>(table: &Table<R>, phases: [Option<Phase>; 4], from: i64) -> Self {
         let nowhere = Self { next: [None; 4], period: None };
         let step = table.clock.steps_in_turns().nutation;

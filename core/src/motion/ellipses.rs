@@ -41,7 +41,7 @@ impl<R: Ring> Ellipses<R> {
 }
 
 impl Ellipses<f64> {
-    /// Ellipses of a motion with constant u, from 1 + u and 1 - u.
+    /// Ellipses of a steady motion, from 1 + u and 1 - u.
     pub(crate) fn steady(complements: [Extended; 2]) -> Self {
         let [alpha, beta] = complements.map(|x| Ellipse { x: x.halved().sqrt().to_f64(), y: 0.0 });
         Self { alpha, beta }

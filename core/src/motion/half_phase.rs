@@ -5,12 +5,12 @@ use crate::constants::{BranchPoints, ReducedPoint, Regime};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Whether u is constant to the last bit. A nutation below 2^-49 rad is not constant here, unlike in [`Regime`].
-pub(super) fn has_constant_tilt(e: &BranchPoints<Extended>, regime: Regime) -> bool {
+/// Whether a motion is steady: u is constant to the last bit. A regular precession may nutate by 2^-49 rad.
+pub(super) fn is_steady(e: &BranchPoints<Extended>, regime: Regime) -> bool {
     e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable
 }
 
-/// Half phase at a point of the reduced curve; `None` where u is constant.
+/// Half phase at a point of the reduced curve; `None` for a steady motion.
 ///
 /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
 /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u).
@@ -22,7 +22,7 @@ pub(super) fn half_phase(
     torque_free_rate: Extended,
     point: &ReducedPoint,
 ) -> Option<Phase> {
-    if has_constant_tilt(e, regime) {
+    if is_steady(e, regime) {
         return None;
     }
     let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;

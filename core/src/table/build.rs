@@ -1,20 +1,12 @@
 //! Build of a table: from the equations of a motion to the polynomials of half a period. A set-up goes from file to file:
 //!
 //! ```text
-//! set_up.rs              motion, settings, memory       -> table
-//!   error_budget.rs        allowed error                  -> allowed errors of its parts
-//!   half_period.rs         for each cell: segments that are short enough
-//!     motion/period          motion                         -> period, and integrals of the phase equations
-//!     mean_rates.rs          motion, period                 -> mean rates of the phases, and their errors
-//!     stored_segment.rs      polynomials on the span        -> stored coefficients, and bounds on errors and speeds
-//!   path.rs                for each span: two expansions, from its beginning to its centre and from there to its end
-//!     expansion.rs           recurrence.rs, series.rs       -> power series of the phases
-//!     expansion/cayley_klein.rs                             -> power series of a and b
-//!     polynomial.rs          power series                   -> polynomials of a and b on the span
-//!     launch_phases.rs       χ of the launch                -> nutation phase and mean phases of the launch
-//!   launch_clock.rs        mean rates, launch phases      -> clock, and with read/tip_angle.rs its tip angle
-//!   half_period/bound.rs   errors of all parts            -> error bounds
-//! interval.rs            spans, cells and segments as parts of half a period
+//! set_up.rs            motion, settings, memory   -> table
+//!   error_budget.rs      allowed error              -> allowed errors of its parts
+//!   half_period.rs       motion, period             -> cells and segments, mean rates of the phases
+//!     path.rs              next span                  -> power series of the phases, polynomials of a and b
+//!     half_period/*        polynomials on a segment   -> stored coefficients, bounds on errors and speeds
+//!   launch_clock.rs      mean rates, launch phases  -> clock
 //! ```
 //!
 //! The tabulated a and b are α and β without their mean rotation. Series have an exponent each (`series`). The
@@ -22,17 +14,9 @@
 //!
 //! `pause` is called between the parts of a set-up that take long: nodes of a quadrature, coefficients of an expansion, and segments.
 
-mod series;
-
-mod expansion;
-
 mod error_budget;
 
-mod polynomial;
-
 mod interval;
-
-mod launch_phases;
 
 mod path;
 

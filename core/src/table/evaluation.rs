@@ -109,8 +109,8 @@ pub trait TickNumber: Ring {
     /// Type of lengths and rates.
     type Quantity: Real;
 
-    /// Product of the number and a power of two; the exponent of `f64` is always 0.
-    fn ldexp(self, exponent: i32) -> Self::Quantity;
+    /// Number of `omega_body`, times the power of two of this exponent, which is 0 in `f64`.
+    fn to_quantity(self, exponent: i32) -> Self::Quantity;
     /// Angular velocity Ω over a power of two, with the exponent of that power.
     ///
     /// * `polynomials`: values and derivatives

@@ -57,7 +57,7 @@ impl PageTable {
     /// Whether the table can hold a motion, or a closed form follows it.
     pub fn fits(motion: &Motion) -> bool {
         let [.., coarsest] = TRUNCATIONS;
-        motion.regime() == Regime::Aperiodic || Table::<f64>::segments_needed(motion, coarsest).is_some()
+        motion.regime() == Regime::Aperiodic || Table::<f64>::segments_needed(motion, coarsest).is_ok()
     }
 
     /// Orientation and tip at t, with t taken as exact; the identity before the first motion.

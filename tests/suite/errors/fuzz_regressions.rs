@@ -39,7 +39,7 @@ fn a_series_that_does_not_converge_is_refused() {
     assert!(
         SizedTable::<f64, 16>::new(&motion, TableSettings { truncation: Some(1.0), ..tick.into() }).is_err()
     );
-    assert_eq!(Table::<f64>::segments_needed(&motion, 1.0), Some(96));
+    assert_eq!(Table::<f64>::segments_needed(&motion, 1.0), Ok(96));
     let coarse =
         SizedTable::<f64, 96>::new(&motion, TableSettings { truncation: Some(1.0), ..tick.into() }).unwrap();
     let fine = SizedTable::<f64, 512>::new(&motion, tick).unwrap();

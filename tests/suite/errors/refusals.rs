@@ -172,7 +172,8 @@ fn a_truncation_error_is_finite_and_positive() {
             &motion,
             TableSettings { truncation: Some(truncation), ..tick.into() },
         );
-        assert_eq!(refused, Err(SetUpError::Truncation), "{truncation}");
+        let Err(SetUpError::Parameter(error)) = refused else { panic!("{truncation}") };
+        assert_eq!(error.to_string(), "truncation: must be positive and finite", "{truncation}");
     }
     for truncation in [f64::MAX, 1e-15] {
         let bound = SizedTable::<f64, 48>::new(

@@ -4,7 +4,7 @@
 //! near the zeros of the odd functions. The logarithm and the angle take one step of Newton's method from their `f64`
 //! values, which squares the relative error.
 
-use toytop::internal::{quadrant, rotate_quarter_turns};
+use toytop::internal::rotate_quarter_turns;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{Complex, Phase};
 
@@ -76,7 +76,7 @@ pub(crate) fn sine_cosine(x: Extended) -> (Extended, Extended) {
 
 /// (sin 2πx, cos 2πx) of a phase of x turns.
 pub(crate) fn of_turns(phase: Phase) -> (Extended, Extended) {
-    let (quadrant, remainder) = quadrant(phase);
+    let (quadrant, remainder) = phase.quadrant();
     rotate_quarter_turns(quadrant, series(Extended::from(remainder) * Extended::TWO_PI, -1.0))
 }
 

@@ -21,12 +21,15 @@ use stored_segment::{SegmentBounds, store_polynomial, store_segment};
 
 use super::error_budget::ErrorBudget;
 use super::interval::{HALF_PERIOD, Interval};
+use super::path::launch_phases::LaunchPhases;
+use super::path::polynomial::Polynomial;
 use super::path::{Path, PathPoint, PathScratch};
-use super::polynomial::Polynomial;
 use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
+use crate::phase::Phase;
 use crate::scalar::{Extended, Float};
+use crate::table::data::Phases;
 use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
 use crate::table::evaluation::TableScalar;
 
@@ -34,6 +37,8 @@ use crate::table::evaluation::TableScalar;
 #[derive(Debug)]
 pub(super) struct HalfPeriod {
     pub(super) mean_rates: MeanRates,
+    /// Nutation phase and mean phases of the launch.
+    pub(super) launch: Phases<Phase>,
     pub(super) cells: [u16; CELLS],
     /// Number of segments.
     pub(super) segments: usize,
@@ -43,7 +48,10 @@ pub(super) struct HalfPeriod {
 }
 
 /// Refusal of a motion that needs more segments than the table has.
-pub(super) struct TooManySegments;
+pub(super) struct TooManySegments {
+    /// Capacity of the table.
+    pub(super) segments: u32,
+}
 
 /// Length of a cell, in shortest segments.
 const CELL_LENGTH: usize = HALF_PERIOD / CELLS;
@@ -52,6 +60,7 @@ impl HalfPeriod {
     /// Half a period before a set-up. All its bits are 0.
     pub(super) const ZERO: Self = Self {
         mean_rates: MeanRates::ZERO,
+        launch: Phases::from_array([Phase::ZERO; 3]),
         cells: [0; CELLS],
         segments: 0,
         bounds: SegmentBounds::ZERO,
@@ -63,17 +72,17 @@ impl HalfPeriod {
         &mut self,
         motion: &Motion,
         budget: &ErrorBudget,
-        memory: &mut PathScratch,
+        scratch: &mut PathScratch,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
         *self = Self::ZERO;
-        memory.begin(motion);
+        scratch.set_equations(motion);
         pause();
         // a steady motion has the period of an infinitesimal nutation, which does not count
-        let equations = &memory.equations;
+        let equations = &scratch.equations;
         let period = match R::PERIOD_WORDS {
-            _ if motion.has_constant_tilt() => None,
+            _ if motion.is_steady() => None,
             1 => motion.period::<1>(equations, pause),
             _ => motion.period::<2>(equations, pause),
         };
@@ -81,9 +90,10 @@ impl HalfPeriod {
         pause();
         match period {
             Some(Period { time, .. }) => {
-                self.tabulate_path::<R>(motion, time.halved(), budget, memory, segments, pause)
+                self.tabulate_path::<R>(motion, time.halved(), budget, scratch, segments, pause)
             }
             None => {
+                self.launch = LaunchPhases::new(motion).phases;
                 self.store_constants::<R>(motion, segments);
                 Ok(())
             }
@@ -99,19 +109,20 @@ impl HalfPeriod {
         motion: &Motion,
         length: Extended,
         budget: &ErrorBudget,
-        memory: &mut PathScratch,
+        scratch: &mut PathScratch,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
-        let mut path = Path::new(memory, budget, motion, length, self.mean_rates.rates);
+        let mut path = Path::new(scratch, budget, motion, length, self.mean_rates.rates);
         self.divide::<R>(&mut path, segments, pause)?;
+        self.launch = path.launch.phases;
         let [delay, residual] = path.errors();
         let bounds = &self.bounds;
         self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
         Ok(())
     }
 
-    /// Stores one segment with constant a and b, for a constant u.
+    /// Stores one segment with constant a and b, for a steady motion.
     fn store_constants<R: TableScalar>(&mut self, motion: &Motion, segments: &mut [R::Segment]) {
         let Ellipses { alpha, beta } = motion.ellipses;
         for (index, ellipse) in [alpha, beta].into_iter().enumerate() {
@@ -142,7 +153,7 @@ impl HalfPeriod {
                 let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> MIN_DEPTH);
                 let count = self.segments + cell.part_count(depth) + remainder;
                 if depth > Cell::MAX_DEPTH || count > capacity {
-                    return Err(TooManySegments);
+                    return Err(TooManySegments { segments: capacity as u32 });
                 }
                 if let Some(bounds) = self.fill_cell::<R>(cell, depth, point, path, segments, pause) {
                     break (cell, bounds);

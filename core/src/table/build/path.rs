@@ -1,11 +1,15 @@
 //! Path of the phases from u = e₁ to u = e₂, span by span.
 
+mod series;
+
+pub(super) mod polynomial;
+
+mod expansion;
+
+pub(super) mod launch_phases;
+
 use super::error_budget::ErrorBudget;
-use super::expansion::{Expansion, ExpansionPoint, PathPhases};
 use super::interval::Interval;
-use super::launch_phases::LaunchPhases;
-use super::polynomial::Polynomial;
-use super::series::PowerSeries;
 use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
@@ -13,6 +17,10 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::data::Phases;
 use crate::table::data::cell::Cell;
+use expansion::{Expansion, ExpansionPoint, PathPhases};
+use launch_phases::LaunchPhases;
+use polynomial::Polynomial;
+use series::PowerSeries;
 
 /// Depth of the longest span.
 const MIN_SPAN_DEPTH: u32 = 2;
@@ -20,7 +28,7 @@ const MIN_SPAN_DEPTH: u32 = 2;
 /// Point of the path.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PathPoint {
-    pub(super) phases: PathPhases,
+    phases: PathPhases,
     /// Truncation and rounding errors of the steps to it, rad.
     error: f64,
 }
@@ -50,12 +58,11 @@ impl<F: Float> PathEquations<F> {
     }
 }
 
-/// Memory of a path: its motion, and its span.
+/// Scratch memory of a path: its phase equations, and its span.
 #[derive(Debug)]
 pub(super) struct PathScratch {
     pub(super) equations: PhaseEquations<Extended>,
-    pub(super) launch: LaunchPhases,
-    pub(super) expansion: Expansion,
+    expansion: Expansion,
     /// Rates and value of an exponential in a or b.
     exponential: [PowerSeries; 4],
     /// Polynomials of a and b on the span.
@@ -67,30 +74,29 @@ pub(super) struct PathScratch {
 impl PathScratch {
     pub(super) const ZERO: Self = Self {
         equations: PhaseEquations::ZERO,
-        launch: LaunchPhases::ZERO,
         expansion: Expansion::ZERO,
         exponential: [PowerSeries::ZERO; 4],
         polynomials: [Polynomial::ZERO; 2],
         segment: Polynomial::ZERO,
     };
 
-    /// Begins the path of a motion.
     #[inline(never)] // a copy of the equations must not stay on the stack of the quadrature
-    pub(super) fn begin(&mut self, motion: &Motion) {
+    pub(super) fn set_equations(&mut self, motion: &Motion) {
         self.equations = motion.equations();
-        self.launch.begin(motion);
     }
 }
 
-/// Path with phase equations in `F`, and its span with polynomials of a and b in its memory.
+/// Path with phase equations in `F`, and its span with polynomials of a and b in scratch memory.
 pub(super) struct Path<'a, F> {
     equations: PathEquations<F>,
-    pub(super) memory: &'a mut PathScratch,
+    pub(super) scratch: &'a mut PathScratch,
     pub(super) budget: &'a ErrorBudget,
     /// Coefficients of the exponentials in a and in b.
     exponentials: [[f64; 2]; 2],
     /// Sum of the rates of χ and of the residual phases at the faster end of the path, rad per half period.
     endpoint_rate: f64,
+    /// Phases of the launch, once the path has reached it.
+    pub(super) launch: LaunchPhases,
     span: Option<Interval>,
     /// End of the span.
     end: PathPoint,
@@ -99,11 +105,11 @@ pub(super) struct Path<'a, F> {
 }
 
 impl<'a, F: Float> Path<'a, F> {
-    /// Path from u = e₁ on. The memory has begun it.
+    /// Path from u = e₁ on. The scratch memory has the equations of the motion.
     ///
     /// * `rates`: mean rates, turns/s
     pub(super) fn new(
-        memory: &'a mut PathScratch,
+        scratch: &'a mut PathScratch,
         budget: &'a ErrorBudget,
         motion: &Motion,
         half_period: Extended,
@@ -111,7 +117,7 @@ impl<'a, F: Float> Path<'a, F> {
     ) -> Self {
         let Phases { alpha, beta, .. } = rates.map(|rate| Extended::TWO_PI * rate);
         let equations = PathEquations {
-            equations: memory.equations.map(F::from_extended),
+            equations: scratch.equations.map(F::from_extended),
             half_period: F::from_extended(half_period),
             residual_offsets: [motion.half_tau - alpha, -motion.half_tau - beta].map(F::from_extended),
         };
@@ -122,10 +128,11 @@ impl<'a, F: Float> Path<'a, F> {
         let Ellipses { alpha, beta } = motion.ellipses;
         Self {
             equations,
-            memory,
+            scratch,
             budget,
             exponentials: [alpha, beta].map(|ellipse| ellipse.exponentials()),
             endpoint_rate: first.larger_or_nan(last),
+            launch: LaunchPhases::new(motion),
             span: None,
             end: PathPoint::FIRST,
             next_span_depth: MIN_SPAN_DEPTH,
@@ -136,12 +143,17 @@ impl<'a, F: Float> Path<'a, F> {
     pub(super) fn point_at(&self, position: usize) -> PathPoint {
         let Some(span) = self.span.filter(|span| position < span.end()) else { return self.end };
         let x = 2.0 * ((position - span.begin) as f64 / span.length() as f64) - 1.0;
-        PathPoint { phases: self.memory.expansion.at(x).0, error: self.end.error }
+        PathPoint { phases: self.scratch.expansion.at(x).0, error: self.end.error }
+    }
+
+    /// Upper bound on the rates of the residual phases on the span, rad per half period.
+    pub(super) fn residual_rate(&self, span: Interval) -> f32 {
+        self.scratch.expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32
     }
 
     /// Lets the next span be as long as a segment of this depth, if its series should converge.
     pub(super) fn try_longer_spans(&mut self, max_depth: u32) {
-        if self.memory.expansion.may_double() {
+        if self.scratch.expansion.may_double() {
             self.next_span_depth = self.next_span_depth.min(max_depth);
         }
     }
@@ -172,12 +184,12 @@ impl<'a, F: Float> Path<'a, F> {
         self.span
     }
 
-    /// Expands the motion around the centre of a span, and computes the polynomials of a and b; `None` if they are not accurate. Finds the phases
-    /// of a launch on the span.
+    /// Expands the motion around the centre of a span, computes the polynomials of a and b, and searches for the launch; `None` if they are not
+    /// accurate.
     fn expand(&mut self, span: Interval, beginning: PathPoint, pause: &mut dyn FnMut()) -> Option<Interval> {
         let centre = self.step(span, beginning, pause)?;
         self.end = self.step(span, centre, pause)?;
-        let PathScratch { launch, expansion, exponential, polynomials, .. } = &mut *self.memory;
+        let PathScratch { expansion, exponential, polynomials, .. } = &mut *self.scratch;
         let least = self.budget.dropped_terms_in_units();
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
             pause();
@@ -188,7 +200,7 @@ impl<'a, F: Float> Path<'a, F> {
             polynomial.drop_negligible_terms(terms, self.budget)?;
         }
         pause();
-        launch.search(expansion, self.end.phases.chi, span);
+        self.launch.search(expansion, self.end.phases.chi, span);
         Some(span)
     }
 
@@ -214,7 +226,7 @@ impl<'a, F: Float> Path<'a, F> {
             chi_error_factor: (unit * self.endpoint_rate / chi_rate.abs()).max(1.0),
             negligible: self.budget.negligible_term(half_length),
         };
-        let expansion = &mut self.memory.expansion;
+        let expansion = &mut self.scratch.expansion;
         expansion.expand(&equations.map(F::to_f64), &origin, pause);
         pause();
         let truncation = expansion.truncation_error();

@@ -5,6 +5,7 @@ use core::fmt;
 use super::error_budget::ErrorBudget;
 use super::half_period::{HalfPeriod, TooManySegments};
 use super::path::PathScratch;
+use crate::body::{ParameterError, check};
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::data::cell::MIN_SEGMENTS;
@@ -25,8 +26,8 @@ pub enum SetUpError {
     },
     /// The motion is aperiodic; a stepper or its closed form follows it.
     Aperiodic,
-    /// The truncation error is not finite and positive.
-    Truncation,
+    /// The truncation error is not positive and finite.
+    Parameter(ParameterError),
 }
 
 impl fmt::Display for SetUpError {
@@ -39,7 +40,7 @@ impl fmt::Display for SetUpError {
                 )
             }
             Self::Aperiodic => f.write_str("an aperiodic motion has no table"),
-            Self::Truncation => f.write_str("truncation: must be finite and positive"),
+            Self::Parameter(error) => error.fmt(f),
         }
     }
 }
@@ -78,7 +79,7 @@ impl From<Tick> for TableSettings {
 #[derive(Debug)]
 pub struct Workspace {
     half_period: HalfPeriod,
-    path: PathScratch,
+    scratch: PathScratch,
 }
 
 impl Default for Workspace {
@@ -91,7 +92,7 @@ impl Workspace {
     /// Workspace before a set-up. A static of it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
-        Self { half_period: HalfPeriod::ZERO, path: PathScratch::ZERO }
+        Self { half_period: HalfPeriod::ZERO, scratch: PathScratch::ZERO }
     }
 }
 
@@ -103,16 +104,15 @@ fn tabulate<R: TableScalar>(
     segments: &mut [R::Segment],
     pause: &mut dyn FnMut(),
 ) -> Result<(), SetUpError> {
-    if !(truncation > 0.0 && truncation < f64::INFINITY) {
-        return Err(SetUpError::Truncation);
-    }
+    let positive = truncation > 0.0 && truncation < f64::INFINITY;
+    check(positive, "truncation", "positive and finite").map_err(SetUpError::Parameter)?;
     if motion.regime() == Regime::Aperiodic {
         return Err(SetUpError::Aperiodic);
     }
-    let Workspace { half_period, path } = workspace;
+    let Workspace { half_period, scratch } = workspace;
     half_period
-        .compute::<R>(motion, &ErrorBudget::new::<R>(truncation), path, segments, pause)
-        .map_err(|TooManySegments| SetUpError::TableTooSmall { truncation, segments: segments.len() as u32 })
+        .compute::<R>(motion, &ErrorBudget::new::<R>(truncation), scratch, segments, pause)
+        .map_err(|TooManySegments { segments }| SetUpError::TableTooSmall { truncation, segments })
 }
 
 impl<R: TableScalar> TableMemory<Table<R>> {
@@ -148,7 +148,7 @@ impl<R: TableScalar> Table<R> {
     ) -> Result<(), SetUpError> {
         let truncation = settings.truncation.unwrap_or(R::TRUNCATION);
         tabulate::<R>(motion, truncation, workspace, &mut self.segments, pause)?;
-        self.write_header(workspace, motion, settings, pause);
+        self.write_header(&workspace.half_period, motion, settings, pause);
         Ok(())
     }
 
@@ -156,18 +156,17 @@ impl<R: TableScalar> Table<R> {
     #[inline(never)]
     fn write_header(
         &mut self,
-        workspace: &Workspace,
+        half_period: &HalfPeriod,
         motion: &Motion,
         settings: &TableSettings,
         pause: &mut dyn FnMut(),
     ) {
-        let Workspace { half_period, path: PathScratch { launch, .. } } = workspace;
-        let HalfPeriod { cells, segments, mean_rates, .. } = half_period;
+        let HalfPeriod { cells, segments, mean_rates, launch, .. } = half_period;
         self.cells = *cells;
         self.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, launch.phases);
+        self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, *launch);
         pause();
-        self.start_tip_angle(motion, launch.phases, pause);
+        self.start_tip_angle(motion, *launch, pause);
         pause();
         [self.error_bound, self.rate_error_bound] =
             half_period.error_bounds(R::TERMS, &R::ERRORS, motion, settings.tick.length());
@@ -187,14 +186,14 @@ impl<R: TableScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
     }
 }
 
-impl<R: TableScalar> Table<R> {
+impl<R: TableScalar, S: ?Sized> Table<R, S> {
     /// Number of segments for a truncation error, rad. It takes the time and the stack of a set-up.
     ///
-    /// `None` if 4096 are too few, the motion has no table, or the error is not finite and positive.
-    #[must_use]
-    pub fn segments_needed(motion: &Motion, truncation: f64) -> Option<u32> {
+    /// # Errors
+    /// [`SetUpError`]; the table is too small if 4096 segments are too few.
+    pub fn segments_needed(motion: &Motion, truncation: f64) -> Result<u32, SetUpError> {
         let workspace = &mut Workspace::new();
-        tabulate::<R>(motion, truncation, workspace, &mut [], &mut || {}).ok()?;
-        Some(workspace.half_period.segments.max(MIN_SEGMENTS) as u32)
+        tabulate::<R>(motion, truncation, workspace, &mut [], &mut || {})?;
+        Ok(workspace.half_period.segments.max(MIN_SEGMENTS) as u32)
     }
 }

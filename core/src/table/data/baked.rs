@@ -123,7 +123,7 @@ impl<R: TableScalar> Table<R> {
 
 /// Functions of each scalar. They are `const`, which a trait cannot declare.
 macro_rules! baked {
-    ($scalar:ty, $quantity:ident <= $greatest:ident, $coefficient:ident) => {
+    ($scalar:ty, $quantity:ident <= $greatest:ident, $coefficient:ident, $coefficients:ident) => {
         impl Table<$scalar> {
             /// CRC-32 of the table: see [`Baked::crc32`].
             #[must_use]
@@ -136,20 +136,20 @@ macro_rules! baked {
             /// First field with a number out of range.
             const fn out_of_range(&self) -> Option<&'static str> {
                 const fn is_small(number: $quantity) -> bool {
-                    range::within(&[number as f64], range::$greatest)
+                    range::all_at_most(&[number as f64], range::$greatest)
                 }
                 let mut segments = &self.segments;
                 while let [segment, rest @ ..] = segments
-                    && range::$coefficient(segment.as_flattened())
+                    && range::$coefficients(segment.as_flattened())
                 {
                     segments = rest;
                 }
                 let clock = &self.clock;
                 let mut fields: &[_] = &[
-                    ("step_turns", range::finite(clock.step_turns.as_flattened())),
-                    ("ticks_per_time", range::finite(&clock.ticks_per_time)),
-                    ("error_bound", range::finite(&self.error_bound.numbers())),
-                    ("rate_error_bound", range::finite(&self.rate_error_bound.numbers())),
+                    ("step_turns", range::all_finite(clock.step_turns.as_flattened())),
+                    ("ticks_per_time", range::all_finite(&clock.ticks_per_time)),
+                    ("error_bound", range::all_finite(&self.error_bound.numbers())),
+                    ("rate_error_bound", range::all_finite(&self.rate_error_bound.numbers())),
                     ("twice_tip_scale", is_small(clock.twice_tip_scale)),
                     ("x_rate", is_small(clock.x_rate)),
                     ("mean_sum_rate", is_small(clock.mean_sum_rate)),
@@ -213,9 +213,9 @@ macro_rules! baked {
     };
 }
 
-baked!(f32, f32 <= MAX_F32, i32);
-baked!(f64, f64 <= MAX_F64, f64);
+baked!(f32, f32 <= MAX_F32, i32, are_safe_i32);
+baked!(f64, f64 <= MAX_F64, f64, are_safe_f64);
 #[cfg(feature = "fixed")]
-baked!(fixed::types::I2F30, f32 <= MAX_F32, i32);
+baked!(fixed::types::I2F30, f32 <= MAX_F32, i32, are_safe_i32);
 #[cfg(feature = "fixed")]
-baked!(fixed::types::I2F14, f32 <= MAX_F32, i16);
+baked!(fixed::types::I2F14, f32 <= MAX_F32, i16, are_safe_i16);

@@ -24,7 +24,7 @@ pub struct Clock<W> {
     pub tip_sign_changes: u8,
     /// Whether the tip angle exists: the axis does not stay vertical.
     pub tip_exists: bool,
-    /// Whether u has turning points: false where u is constant to 2^-49.
+    /// Whether u has turning points: false where the tilt is constant to 2^-49 rad.
     pub has_turning_points: bool,
     /// Twice [`Top::tip_scale`](crate::Top::tip_scale), 2 s, m; 2 for a fixed tip. The tip is at c = 2 s αβ.
     pub twice_tip_scale: W,

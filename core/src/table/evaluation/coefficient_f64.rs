@@ -56,7 +56,7 @@ impl TickNumber for f64 {
     }
 
     #[inline]
-    fn ldexp(self, _: i32) -> f64 {
+    fn to_quantity(self, _: i32) -> f64 {
         self
     }
 }

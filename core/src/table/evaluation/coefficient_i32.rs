@@ -42,7 +42,7 @@ impl TableScalar for f32 {
 
     #[inline]
     fn from_number(number: Q30) -> Self {
-        number.ldexp(0)
+        number.to_quantity(0)
     }
 
     #[inline(always)]

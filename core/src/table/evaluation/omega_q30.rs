@@ -17,7 +17,7 @@ impl TickNumber for Q30 {
 
     /// Product rounded to `f32`; 0 for an exponent below -95, at which it could be subnormal.
     #[inline(always)]
-    fn ldexp(self, exponent: i32) -> f32 {
+    fn to_quantity(self, exponent: i32) -> f32 {
         let number = if exponent < -95 { 0 } else { self.0 };
         let exponent = exponent.max(-95) - 30;
         if SOFT_FLOAT {
@@ -105,10 +105,10 @@ mod tests {
     fn a_power_of_two_is_exact() {
         for (number, exponent) in [(1 << 30, 0), (-3, 30), (i32::MAX, 119), (1, -95), (i32::MIN, -27)] {
             let exact = f64::from(number as f32) * libm::exp2(f64::from(exponent - 30));
-            assert_eq!(f64::from(Q30(number).ldexp(exponent)), exact, "{number} {exponent}");
+            assert_eq!(f64::from(Q30(number).to_quantity(exponent)), exact, "{number} {exponent}");
         }
         let zeros = [(0, 73), (1 << 30, -96), (5, -167)];
-        assert_eq!(zeros.map(|(number, exponent)| Q30(number).ldexp(exponent)), [0.0; 3]);
+        assert_eq!(zeros.map(|(number, exponent)| Q30(number).to_quantity(exponent)), [0.0; 3]);
     }
     /// Rates of any size and sign have an error below 3e-8 of their sum.
     #[test]
@@ -138,7 +138,7 @@ mod tests {
             for (number, exact) in omega.into_iter().zip(exact) {
                 // a rotated number may exceed 1 by up to √2
                 assert!(number.0.unsigned_abs() < 3 << 29, "{case}: {number:?}");
-                worst = worst.max((f64::from(number.ldexp(exponent)) - exact).abs() / allowed);
+                worst = worst.max((f64::from(number.to_quantity(exponent)) - exact).abs() / allowed);
             }
         }
         assert!(worst < 1.0 && worst > 0.1, "{worst}");

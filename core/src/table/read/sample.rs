@@ -55,7 +55,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn pose(&self) -> Pose<R, R::Quantity> {
         let numbers = self.unrounded();
-        let product = (numbers.alpha * numbers.beta).map(|part| part.ldexp(0));
+        let product = (numbers.alpha * numbers.beta).map(|part| part.to_quantity(0));
         Pose {
             orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
@@ -93,7 +93,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
-        orientation.adjoint(omega_body).map(|rate| rate.ldexp(exponent))
+        orientation.adjoint(omega_body).map(|rate| rate.to_quantity(exponent))
     }
 
     /// Angular velocity Ω in the body frame, rad/s.
@@ -133,7 +133,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.unrounded_and_omega_body();
-        AttitudeState::from_body(numbers.map(|part| part.ldexp(0)), omega_body)
+        AttitudeState::from_body(numbers.map(|part| part.to_quantity(0)), omega_body)
     }
 
     #[inline(always)]
@@ -155,7 +155,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     fn unrounded_and_omega_body(&self) -> (Orientation<R::Number>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_and_scaled_omega_body();
-        let [x1, x2] = [x1, x2].map(|x| x.ldexp(exponent));
+        let [x1, x2] = [x1, x2].map(|x| x.to_quantity(exponent));
         (orientation, [x1, x2, self.table.clock.axial_rate])
     }
 
@@ -163,7 +163,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
-        orientation.axis_rate(omega_body).map(|rate| rate.ldexp(exponent))
+        orientation.axis_rate(omega_body).map(|rate| rate.to_quantity(exponent))
     }
 }
 

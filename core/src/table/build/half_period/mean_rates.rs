@@ -23,7 +23,7 @@ impl MeanRates {
     pub(super) const ZERO: Self =
         Self { rates: Phases::from_array([Extended::ZERO; 3]), errors: Phases::from_array([0.0; 3]) };
 
-    /// Rates from the period, or without one from the constant u.
+    /// Rates from the period, or without one those of a steady motion.
     #[inline(never)]
     pub(super) fn new(motion: &Motion, period: Option<&Period>) -> Self {
         period.map_or_else(|| Self::steady(motion), |period| Self::periodic(motion, period))

@@ -2,8 +2,8 @@
 
 use crate::scalar::{Float, Ring};
 use crate::table::build::interval::Interval;
+use crate::table::build::path::polynomial::Polynomial;
 use crate::table::build::path::{Path, PathScratch};
-use crate::table::build::polynomial::Polynomial;
 use crate::table::evaluation::Coefficient;
 use crate::table::evaluation::TableScalar;
 use crate::table::evaluation::rounding::TABLE_UNIT;
@@ -77,7 +77,7 @@ pub(super) fn store_segment<R: TableScalar>(
     mut stored_segment: Option<&mut R::Segment>,
     pause: &mut dyn FnMut(),
 ) -> SegmentBounds {
-    let PathScratch { expansion, polynomials, segment: polynomial, .. } = &mut *path.memory;
+    let PathScratch { polynomials, segment: polynomial, .. } = &mut *path.scratch;
     let halvings = segment.depth - span.depth;
     let mut product_error = 0.0_f32;
     let mut truncation_squared = 0.0;
@@ -104,7 +104,7 @@ pub(super) fn store_segment<R: TableScalar>(
     SegmentBounds {
         error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + product_error,
         angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_per_half_period,
-        residual_rate: expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32,
+        residual_rate: path.residual_rate(span),
         x_per_half_period,
     }
 }

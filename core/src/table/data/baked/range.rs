@@ -8,7 +8,7 @@ pub(super) const MAX_F32: f64 = 1e30_f32 as f64;
 const MAX_SUM: u64 = (1 << 31) - (1 << 15);
 
 /// Whether no number is NaN or of a larger size.
-pub(super) const fn within(mut numbers: &[f64], greatest: f64) -> bool {
+pub(super) const fn all_at_most(mut numbers: &[f64], greatest: f64) -> bool {
     while let [number, rest @ ..] = numbers {
         if number.is_nan() || number.abs() > greatest {
             return false;
@@ -19,20 +19,20 @@ pub(super) const fn within(mut numbers: &[f64], greatest: f64) -> bool {
 }
 
 /// Whether all numbers are finite.
-pub(super) const fn finite(numbers: &[f64]) -> bool {
-    within(numbers, f64::MAX)
+pub(super) const fn all_finite(numbers: &[f64]) -> bool {
+    all_at_most(numbers, f64::MAX)
 }
 
 /// Whether a tick can compute with these coefficients.
-pub(super) const fn f64(coefficients: &[f64]) -> bool {
-    within(coefficients, MAX_F64)
+pub(super) const fn are_safe_f64(coefficients: &[f64]) -> bool {
+    all_at_most(coefficients, MAX_F64)
 }
 
 /// Whether the sums of Horner's rule stay in range, from the highest power of four polynomials down. A sum is at most its coefficient plus half
 /// of the sum before, rounded up. The last sum saturates.
 macro_rules! sums_in_range {
-    ($coefficient:ident, $fraction_bits:literal) => {
-        pub(super) const fn $coefficient(coefficients: &[$coefficient]) -> bool {
+    ($name:ident, $coefficient:ident, $fraction_bits:literal) => {
+        pub(super) const fn $name(coefficients: &[$coefficient]) -> bool {
             let [_, _, _, _, powers @ ..] = coefficients else { return true };
             let mut powers = powers;
             let mut sums = [0_u64; 4];
@@ -49,6 +49,6 @@ macro_rules! sums_in_range {
     };
 }
 
-sums_in_range!(i32, 31);
+sums_in_range!(are_safe_i32, i32, 31);
 #[cfg(feature = "fixed")]
-sums_in_range!(i16, 15);
+sums_in_range!(are_safe_i16, i16, 15);

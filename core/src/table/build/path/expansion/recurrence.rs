@@ -4,7 +4,7 @@ use super::{Expansion, ExpansionPoint, MAX_TERMS, NOISE, PowerSeries, RateSeries
 use crate::integer::to_units;
 use crate::motion::phase_equations::{PhaseEquations, TiltDistances};
 use crate::scalar::Ring;
-use crate::table::build::series::{BITS, UnitFactor, in_range, integrated, sum_in_range};
+use crate::table::build::path::series::{BITS, UnitFactor, in_range, integrated, sum_in_range};
 
 /// Whether the k-th coefficient is a rounding error, or its term at x = 1 is below `least` units.
 fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {

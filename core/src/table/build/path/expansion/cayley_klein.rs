@@ -3,7 +3,7 @@
 use super::{Expansion, MAX_TERMS, PowerSeries};
 use crate::integer::{Limbs, shifted_right, to_units};
 use crate::scalar::{Ring, SINE_BITS, sine_cosine_q57};
-use crate::table::build::series::{BITS, UnitFactor, in_range, integrated};
+use crate::table::build::path::series::{BITS, UnitFactor, in_range, integrated};
 use crate::table::evaluation::rounding::TABLE_BITS;
 
 /// Difference of the fraction bits of a coefficient of a or b, 62, and of one of an exponential, 56.

@@ -1,33 +1,30 @@
 //! Nutation phase and mean phases of a launch, from its place on the path.
 
 use super::expansion::{Expansion, PathPhases};
-use super::interval::{HALF_PERIOD, Interval};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::Scalar;
+use crate::table::build::interval::{HALF_PERIOD, Interval};
 use crate::table::data::Phases;
 
 /// Nutation phase and mean phases of a launch, which are known once the path has reached its χ.
 #[derive(Debug)]
-pub(super) struct LaunchPhases {
+pub(crate) struct LaunchPhases {
     /// Half phase χ, folded into [0, 1/4] turn; `None` once the path has reached it.
     chi: Option<Phase>,
     is_falling: bool,
-    pub(super) phases: Phases<Phase>,
+    pub(crate) phases: Phases<Phase>,
 }
 
 impl LaunchPhases {
-    pub(super) const ZERO: Self =
-        Self { chi: None, is_falling: false, phases: Phases::from_array([Phase::ZERO; 3]) };
-
-    /// Begins the search for the launch of a motion. Without a nutation these are its phases already.
-    pub(super) fn begin(&mut self, motion: &Motion) {
+    /// Begin of the search for the launch of a motion. Those of a steady motion are its phases already.
+    pub(crate) fn new(motion: &Motion) -> Self {
         let (half_turns, remainder) = motion.half_phase.unwrap_or_default().split_half_turns();
         let is_falling = remainder > Phase::QUARTER;
         let (half_turns, chi) =
             if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };
         let [alpha, beta] = motion.slow_phases.map(|phase| phase + Phase::HALF * half_turns);
-        *self = Self { chi: Some(chi), is_falling, phases: Phases { nutation: Phase::ZERO, alpha, beta } };
+        Self { chi: Some(chi), is_falling, phases: Phases { nutation: Phase::ZERO, alpha, beta } }
     }
 
     /// Finds the phases, if the launch is on this span. The last span always contains it.

@@ -2,10 +2,10 @@
 //!
 //! The last term c x^k is dropped by subtracting c 2^(1-k) T_k(x), at most |c| 2^(1-k) in value.
 
-use super::error_budget::ErrorBudget;
 use super::series::MAX_TERMS;
 use crate::integer::{Limbs, product_u32, u64_to_f32};
 use crate::scalar::{Float, Ring};
+use crate::table::build::error_budget::ErrorBudget;
 use crate::table::evaluation::rounding::TABLE_UNIT;
 
 /// Fraction bits of the coefficients of [`CHEBYSHEV`].
@@ -32,8 +32,8 @@ static CHEBYSHEV: [[i32; MAX_TERMS / 2]; MAX_TERMS] = {
 
 /// Real or imaginary part of a polynomial. The unit is 2^-62.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct RealPolynomial {
-    pub(super) coefficients: [i64; MAX_TERMS],
+pub(crate) struct RealPolynomial {
+    pub(crate) coefficients: [i64; MAX_TERMS],
     /// Upper bound on the change of the value by the dropped terms.
     dropped: i64,
 }
@@ -71,18 +71,18 @@ impl RealPolynomial {
 
 /// Polynomial of a or of b in x from -1 to 1.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Polynomial {
-    pub(super) parts: [RealPolynomial; 2],
+pub(crate) struct Polynomial {
+    pub(crate) parts: [RealPolynomial; 2],
     terms: usize,
     /// Estimate of the terms that are not computed, in units of 2^-62.
     remainder: f32,
 }
 
 impl Polynomial {
-    pub(super) const ZERO: Self = Self { parts: [RealPolynomial::ZERO; 2], terms: 0, remainder: 0.0 };
+    pub(crate) const ZERO: Self = Self { parts: [RealPolynomial::ZERO; 2], terms: 0, remainder: 0.0 };
 
     /// Polynomial with the same value everywhere.
-    pub(super) fn constant(value: f64) -> Self {
+    pub(crate) fn constant(value: f64) -> Self {
         let mut polynomial = Self::ZERO;
         let [RealPolynomial { coefficients: [constant, ..], .. }, _] = &mut polynomial.parts;
         *constant = libm::round(value / TABLE_UNIT) as i64;
@@ -92,7 +92,7 @@ impl Polynomial {
     /// Estimates the terms beyond the sixteenth and drops negligible ones; `None` if the polynomial is not accurate.
     ///
     /// * `terms`: number of terms that are computed
-    pub(super) fn drop_negligible_terms(&mut self, terms: usize, budget: &ErrorBudget) -> Option<()> {
+    pub(crate) fn drop_negligible_terms(&mut self, terms: usize, budget: &ErrorBudget) -> Option<()> {
         self.terms = terms;
         let [re, im] = self.parts.each_ref().map(RealPolynomial::remainder);
         let remainder = 2.0 * re.larger_or_nan(im);
@@ -106,7 +106,7 @@ impl Polynomial {
     }
 
     /// Drops last terms while more than `fewest` remain and the total change is at most `most`.
-    pub(super) fn shorten(&mut self, fewest: usize, most: i64) {
+    pub(crate) fn shorten(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
             let last =
@@ -139,7 +139,7 @@ impl Polynomial {
     ///
     /// * `part`: number of the part
     /// * `dropped`: greatest sum of the dropped terms
-    pub(super) fn restrict(&mut self, whole: &Self, part: usize, halvings: u32, dropped: i64) {
+    pub(crate) fn restrict(&mut self, whole: &Self, part: usize, halvings: u32, dropped: i64) {
         self.clone_from(whole);
         for halving in (0..halvings).rev() {
             self.halve((part >> halving) & 1 == 1);
@@ -150,13 +150,13 @@ impl Polynomial {
     }
 
     /// Truncation error, in units of 2^-62.
-    pub(super) fn truncation(&self) -> f32 {
+    pub(crate) fn truncation(&self) -> f32 {
         let [re, im] = self.parts.each_ref().map(|part| u64_to_f32(part.dropped.unsigned_abs()));
         Float::sqrt(re * re + im * im) + self.remainder
     }
 
     /// Square of the bound Σ k |c_k| on the derivative, in units of 2^-62.
-    pub(super) fn slope_squared(&self) -> f32 {
+    pub(crate) fn slope_squared(&self) -> f32 {
         const WORD: f32 = (1_u64 << 32) as f32;
         let squared = |part: &RealPolynomial| {
             let terms = part.coefficients.iter().zip(0_u32..).take(self.terms);
