@@ -102,7 +102,7 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
 }
 
-/// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates have a common exponent, because they may exceed 2.
+/// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates have a common exponent: they can exceed 2.
 pub trait TickNumber: Ring {
     /// Sum of Horner's rule.
     type Sum;

@@ -1,19 +1,17 @@
-//! Error budget: the parts of a table share the allowed truncation error.
+//! Error budget: the shares of the allowed truncation error, which [the error bound](crate::error_bound) lists.
 
 use crate::table::data::cell::MIN_DEPTH;
 use crate::table::evaluation::TableScalar;
 use crate::table::evaluation::rounding::TABLE_UNIT;
 
-/// Fraction of the allowed error for all steps along half a period. The segments have the rest.
+/// Share of all steps along half a period. The segments have the rest.
 const PATH_FRACTION: f64 = 1.0 / 8.0;
-/// Fraction of the allowed error for dropped terms. It costs about one more term.
+/// Share of dropped terms. It costs about one more term.
 const TERMS_FRACTION: f32 = 1.0 / 256.0;
-/// Fraction of a segment's error for a segment of two cells, whose derivative is less accurate.
+/// Share of a segment of two cells in that of a segment.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
-/// A term of a rate at x = 1 ends its series if it is below this multiple of the error for dropped terms, on a step of one half period.
-///
-/// Integrated, a term is 3 · 16 · 4 times smaller, so that a step errs by about an eighth of its part.
+/// Greatest last term of a rate at x = 1 over the error for dropped terms, on a step of one half period. The integral divides the term by 192.
 const NEGLIGIBLE_TERM: f64 = 512.0;
 
 /// Allowed errors of the parts of a table.

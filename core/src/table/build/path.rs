@@ -158,8 +158,7 @@ impl<'a, F: Float> Path<'a, F> {
         }
     }
 
-    /// Span that contains a position: the present one, or the next one if it begins there. `None` if it must be deeper than `max_depth` to be
-    /// accurate.
+    /// Span at a position: the present one or the next. `None` if no depth up to `max_depth` is accurate.
     ///
     /// * `point`: beginning of the next span; on return, the end of the span
     pub(super) fn span_at(
