@@ -54,7 +54,7 @@ impl E3EqualsE4 {
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
         let chi = half_phase(motion)?;
-        if motion.top().support() != Support::Sliding || !coincide(motion) {
+        if motion.top().support() != Support::Sliding || !e3_is_e4(motion) {
             return None;
         }
         let e = branch_points(motion);
@@ -133,7 +133,7 @@ pub(super) fn e3_minus_e4(motion: &Motion) -> f64 {
 }
 
 /// Whether e₃ = e₄ to the tolerance.
-fn coincide(motion: &Motion) -> bool {
+fn e3_is_e4(motion: &Motion) -> bool {
     let e = branch_points(motion);
     let [apart, a_over_ps] = squares(motion);
     let allowed = Extended::from(E3EqualsE4::TOLERANCE);

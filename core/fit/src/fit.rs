@@ -27,7 +27,7 @@ use crate::vector::{Vector, norm, rotation_vector};
 pub use error::{FitError, FitWarning};
 pub use fitted::{Drift, Fitted, Unobservable};
 use problem::Problem;
-use search::{misfit_cause, search, settle_finally, warning};
+use search::{misfit_cause, search, settle_on_all, warning};
 use solver::{CONVERGED_SIGMA, Solver};
 pub use statistics::Statistics;
 use toytop::Top;
@@ -133,7 +133,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let problem = Problem::new(sensors, model, *huber, measurements)?;
         solver.reset_prior(model);
         solver.start_from(&guess);
-        let warning = settle_finally(&problem, solver);
+        let warning = settle_on_all(&problem, solver);
         Ok(Fitted::new(model, solver, problem.times, warning, 0))
     }
 

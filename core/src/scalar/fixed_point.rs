@@ -12,7 +12,7 @@ impl Ring for I2F30 {
     const ZERO: Self = Self::ZERO;
     const ONE: Self = Self::ONE;
 
-    /// Sum x + x. It cannot wrap, because |x| <= 1.
+    /// Sum x + x, which cannot wrap: |x| <= 1.
     #[inline(always)]
     fn doubled(self) -> Self {
         self.wrapping_add(self)
@@ -49,7 +49,7 @@ impl Ring for I2F14 {
     const ZERO: Self = Self::ZERO;
     const ONE: Self = Self::ONE;
 
-    /// Sum x + x. It cannot wrap, because |x| <= 1.
+    /// Sum x + x, which cannot wrap: |x| <= 1.
     #[inline(always)]
     fn doubled(self) -> Self {
         self.wrapping_add(self)

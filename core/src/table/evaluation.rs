@@ -131,9 +131,9 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Number that the evaluation results in.
     type Number: TickNumber<Sum = Self::Sum>;
 
-    /// Coefficient of x^power nearest to a value in units of 2^-62.
+    /// Coefficient of x^power nearest to a value, in units of 2^-62.
     fn nearest(value: i64, power: usize) -> Self;
-    /// Error that products by 16 bits of x cause beyond their part of a tick, both in units of 2^-62; infinite where a sum could overflow.
+    /// Error of products by 16 bits of x, less the part that counts in a tick, in units of 2^-62; infinite where a sum could overflow.
     fn product_error(polynomial: &[i64]) -> f32;
     /// Coefficient in the scale of the sums.
     fn to_sum(self) -> Self::Sum;

@@ -116,7 +116,7 @@ impl Instant {
             return self.orientation;
         }
         let [Some([fixed, body]), Some([second_fixed, second_body])] = self.directions else { return None };
-        // one direction leaves a rotation about it open, which the part of the other across it tells
+        // the second direction fixes the rotation about the first
         let phi = aligned([fixed, body]);
         let [expected, found] =
             [second_fixed, phi.adjoint(second_body)].map(|x| add_scaled(x, fixed, -dot(x, fixed)));

@@ -25,7 +25,7 @@ const MIN_NOISE: f64 = 0.25;
 const RANGE_FRACTION: f64 = 0.9;
 /// Largest sine of the tilt, and largest fraction of ω across the axis, of a launch that is compared with an upright one.
 const UPRIGHT_SINE: f64 = 0.1;
-/// Largest difference of sums of squares that chance explains: twice 20, which the best of a hundred spins reaches by chance.
+/// Largest difference of sums of squares that chance explains: twice that between the best of 100 random spins and the true one.
 const CHANCE_COST: f64 = 40.0;
 
 /// Finds an estimate without a first guess. Returns the reason not to trust it, and the number of other launches that fit as well.
@@ -52,7 +52,7 @@ pub(super) fn search<F: Real>(
     }
     // a shorter part does not show how far the equations are linear over all measurements
     solver.curvature = f64::INFINITY;
-    (settle_finally(problem, solver), other_launch_count)
+    (settle_on_all(problem, solver), other_launch_count)
 }
 
 /// Begins from the best of the guesses, on the first measurements, where no phase can have an error of a turn. Returns the number
@@ -91,7 +91,7 @@ fn try_guesses<F: Real>(
 }
 
 /// Passes over all measurements. Returns the reason not to trust the estimate.
-pub(super) fn settle_finally<F: Real>(
+pub(super) fn settle_on_all<F: Real>(
     problem: &Problem<F, impl Measurements>,
     solver: &mut Solver<F>,
 ) -> Option<FitWarning> {

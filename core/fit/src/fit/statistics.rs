@@ -6,7 +6,7 @@ use toytop::scalar::Real;
 const MISFIT_SIGMA: f64 = 5.0;
 /// Residual of a gross error, in standard deviations.
 const GROSS_SIGMA: f64 = 10.0;
-/// Largest sum of squares of the differences from prior values: at most 16 in a fit, whose mean is 16 and standard deviation 6.
+/// Largest sum of squares of the differences from prior values. A fit has at most 16 of them: mean 16, standard deviation 6.
 const MAX_PRIOR: f64 = 60.0;
 
 /// Residuals of a fit.

@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_left_is_a_number_also_where_nothing_changed() {
+    fn the_remaining_error_is_finite_for_equal_sums() {
         assert_eq!(remaining_error(0.0, 0.0), 0.0);
         assert!(remaining_error(1e-32, 0.0) < 1e-30);
         // the changes were 1e-8 and 1e-16 of the total: the next error is the square of the last
@@ -275,7 +275,7 @@ mod tests {
 
     /// Errors C q, C q², C q⁴: the last two changes are the first two of them, and the remaining error is the third.
     #[test]
-    fn what_is_left_is_bounded_however_small_the_constant() {
+    fn the_remaining_error_is_bounded_for_a_small_constant() {
         for constant in [1.0, 1e-3, 1e-6] {
             let [before, change, truth] = [1, 2, 4].map(|power| constant * 0.01_f64.powi(power));
             let bound = remaining_error(change, before);

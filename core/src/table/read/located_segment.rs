@@ -7,7 +7,7 @@ use crate::table::evaluation::{SegmentPoint, TableScalar};
 /// Segment of a nutation phase, and the point of it. As a tuple it would cost a tick six cycles.
 pub(super) struct LocatedSegment<'a, R: TableScalar> {
     pub(super) rows: &'a [[R::Coefficient; 4]],
-    pub(super) index: usize,
+    pub(super) number: usize,
     pub(super) point: SegmentPoint,
 }
 
@@ -21,9 +21,9 @@ impl<R: TableScalar> Table<R> {
         let leading = (half >> 32) as u32;
         let cell = Cell(self.cells.get((leading >> 28) as usize).copied().unwrap_or_default());
         let depth = cell.depth();
-        let index = cell.segment(leading);
+        let number = cell.segment(leading);
         // a cell refers to a segment of the table, which has one: the fallbacks only avoid a panic
-        let segment = self.segments.get(index).or(self.segments.first());
+        let segment = self.segments.get(number).or(self.segments.first());
         // 32 leading bits of the fraction of an eighth
         let eighth = (half >> (32 - MIN_DEPTH)) as u32;
         // the range [0, 1) becomes [-1, 1) by flipping the upper bit
@@ -32,7 +32,7 @@ impl<R: TableScalar> Table<R> {
         let x_q31 = (eighth << halvings) ^ (1 << 31);
         LocatedSegment {
             rows: segment.map_or(&[], |segment| segment.as_ref()),
-            index,
+            number,
             point: SegmentPoint {
                 x_q63: x_q63 as i64,
                 x_q31: x_q31 as i32,

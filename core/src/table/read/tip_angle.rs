@@ -41,7 +41,7 @@ impl<R: TableScalar> Table<R> {
     /// Argument of the tabulated ab, followed from u = e₁ from segment centre to segment centre. Near ab = 0 it is the direction of the passage.
     pub(in crate::table) fn tabulated_tip_angle(&self, nutation: u64, pause: &mut dyn FnMut()) -> Phase {
         const SEGMENTS_PER_PAUSE: usize = 8;
-        let LocatedSegment { rows, point, index: number } = self.segment_at(nutation);
+        let LocatedSegment { rows, point, number } = self.segment_at(nutation);
         let mut argument = ContinuedArgument::ZERO;
         for (index, segment) in self.segments.iter().enumerate().take(number + 1) {
             let Some(constants) = segment.as_ref().first() else { continue };
