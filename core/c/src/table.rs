@@ -3,6 +3,7 @@
 use crate::memory::{Opaque, load, read, store};
 use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
+use core::sync::atomic::{AtomicU16, Ordering::Relaxed};
 use toytop::fixed::types::I2F30;
 use toytop::{SizedTable, Table, TableMemory, TableScalar};
 
@@ -48,9 +49,12 @@ const fn tag_of<R: TableScalar>() -> u32 {
 struct Head {
     tag: u32,
     segments: u16,
-    /// Number of set-ups in this memory, modulo 2^16 and from any number.
+    /// Number of the set-up, modulo 2^16.
     generation: u16,
 }
+
+/// Number of set-ups in all memory, modulo 2^16. Two threads may count as one.
+static SET_UPS: AtomicU16 = AtomicU16::new(0);
 
 /// Table whose set-up has succeeded.
 pub(crate) struct CheckedTable<'a, R: TableScalar> {
@@ -192,11 +196,11 @@ pub(crate) unsafe fn empty_table<'a, R: TableScalar>(
 ) -> Result<&'a mut TableMemory<Table<R>>, Refusal> {
     let head = checked_head(table)?.cast_mut();
     let segments = segments_in::<R>(size)?;
+    let generation = SET_UPS.load(Relaxed).wrapping_add(1);
+    SET_UPS.store(generation, Relaxed);
     // SAFETY: there is room for a head, and behind it for a table of `segments` segments, at least 8. They are initialised before a
     // reference to them is made.
     unsafe {
-        // volatile, because the memory need not be initialised
-        let generation = (&raw const (*head).generation).read_volatile().wrapping_add(1);
         head.write(Head { tag: tag_of::<R>(), segments: segments as u16, generation });
         let least = head.wrapping_add(1).cast::<SmallestMemory<R>>();
         least.write(TableMemory::new());

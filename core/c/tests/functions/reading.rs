@@ -124,8 +124,7 @@ fn a_refused_call_leaves_the_cursor_where_it_is() {
 
 #[test]
 fn a_cursor_of_another_table_is_refused() {
-    // zeroed memory: each table is the first in its own
-    let mut memories = [MaybeUninit::zeroed(); 2];
+    let mut memories = [MaybeUninit::uninit(); 2];
     let [table, another] = memories.each_mut().map(|memory| set_up_q31(memory, 0));
     let in_f64 = f64_table(&launched(&TOP));
     unsafe {
