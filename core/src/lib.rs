@@ -52,6 +52,7 @@ pub mod internal {
         COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE, rotate_quarter_turns,
     };
 
+    use crate::motion::phase_equations::PhaseEquations;
     use crate::scalar::Extended;
     use crate::{BranchPoints, FirstIntegrals, Motion, Phase, Top};
 
@@ -78,6 +79,16 @@ pub mod internal {
     /// Half phase χ of a motion at t = 0; `None` for a steady motion.
     pub fn half_phase(motion: &Motion) -> Option<Phase> {
         motion.half_phase
+    }
+
+    /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
+    pub fn aperiodic_v(motion: &Motion) -> Option<f64> {
+        motion.aperiodic_v()
+    }
+
+    /// Phase equations of a motion.
+    pub fn phase_equations(motion: &Motion) -> PhaseEquations<Extended> {
+        motion.equations()
     }
 
     /// Slow phases of α and β at t = 0.

@@ -111,8 +111,7 @@ impl Motion {
     }
 
     /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
-    #[doc(hidden)]
-    pub fn aperiodic_v(&self) -> Option<f64> {
+    pub(crate) fn aperiodic_v(&self) -> Option<f64> {
         let Complex { re: cosine, im: sine } = self.cis_chi();
         (self.regime == Regime::Aperiodic).then(|| libm::asinh(sine / cosine))
     }
@@ -148,8 +147,7 @@ impl Motion {
     }
 
     /// Phase equations of the motion.
-    #[doc(hidden)]
-    pub fn equations(&self) -> PhaseEquations<Extended> {
+    pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
         PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs, self.torque_free_rate)
     }
 }

@@ -93,14 +93,12 @@ impl Phase {
     }
 
     /// Number of whole half turns, and the remainder in [0, 1/2) turn.
-    #[doc(hidden)]
     pub fn split_half_turns(self) -> (i64, Self) {
         let half_turns = self.0 >> (FRACTION_BITS - 1);
         (half_turns as i64, Self(self.0.wrapping_sub(half_turns << (FRACTION_BITS - 1))))
     }
 
     /// Nearest quarter turn, modulo 4 in the two lowest bits, and the remainder in [-1/8, 1/8) turn.
-    #[doc(hidden)]
     pub fn quadrant(self) -> (u32, Self) {
         let quarter = self.0.wrapping_add(1 << (FRACTION_BITS - 3)) >> (FRACTION_BITS - 2);
         (quarter as u32, Self(self.0.wrapping_sub(quarter << (FRACTION_BITS - 2))))

@@ -18,7 +18,7 @@ use crate::su2::{AttitudeState, Orientation};
 pub struct Stepper<R> {
     ellipses: Ellipses<R>,
     equations: PhaseEquations<R>,
-    half_phase: HalfPhase,
+    variable: Variable,
     slow_phases: [Phase; 2],
     /// Constant parts of the rates of the slow phases, in turns/s and rad/s.
     constant_rates: [(Extended, R); 2],
@@ -30,15 +30,15 @@ pub struct Stepper<R> {
     phi_origin: Option<Phase>,
 }
 
-/// Half phase χ, in the form in which a step advances it.
+/// Variable that a step advances, on which the rates depend.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum HalfPhase {
-    /// None: u and the rates of the slow phases are constant.
-    Steady,
-    /// χ of a motion between two turning points.
-    Periodic(Phase),
-    /// v of an aperiodic motion, with χ = gd v.
-    Aperiodic(Extended),
+enum Variable {
+    /// None for a steady motion: its rates are constant.
+    None,
+    /// Half phase χ of a motion between two turning points.
+    Chi(Phase),
+    /// Variable v of an aperiodic motion, with χ = gd v.
+    V(Extended),
 }
 
 impl<R: Real> Stepper<R> {
@@ -53,10 +53,10 @@ impl<R: Real> Stepper<R> {
         let mut stepper = Self {
             ellipses: motion.ellipses.map(R::from_f64),
             equations: motion.equations().map(R::from_extended),
-            half_phase: match (motion.aperiodic_v(), motion.half_phase) {
-                (Some(v), _) => HalfPhase::Aperiodic(v.into()),
-                (None, Some(chi)) => HalfPhase::Periodic(chi),
-                (None, None) => HalfPhase::Steady,
+            variable: match (motion.aperiodic_v(), motion.half_phase) {
+                (Some(v), _) => Variable::V(v.into()),
+                (None, Some(chi)) => Variable::Chi(chi),
+                (None, None) => Variable::None,
             },
             slow_phases: motion.slow_phases,
             constant_rates: rates.map(|rate| (rate.radians_to_turns(), R::from_extended(rate))),
@@ -77,18 +77,18 @@ impl<R: Real> Stepper<R> {
         if !dt.to_f64().is_finite() {
             return;
         }
-        let change = match self.half_phase {
-            HalfPhase::Steady => Rates { variable: R::ZERO, psi_alpha: R::ZERO, psi_beta: R::ZERO },
-            HalfPhase::Periodic(chi) => {
+        let change = match self.variable {
+            Variable::None => Rates { variable: R::ZERO, psi_alpha: R::ZERO, psi_beta: R::ZERO },
+            Variable::Chi(chi) => {
                 let change = runge_kutta(dt, |delta| {
                     let (sine, cosine) = R::sine_cosine(chi + phase_from_radians(delta));
                     let PhaseRates { chi, psi_alpha, psi_beta } = self.equations.rates(sine, cosine);
                     Rates { variable: chi, psi_alpha, psi_beta }
                 });
-                self.half_phase = HalfPhase::Periodic(chi + phase_from_radians(change.variable));
+                self.variable = Variable::Chi(chi + phase_from_radians(change.variable));
                 change
             }
-            HalfPhase::Aperiodic(v) => {
+            Variable::V(v) => {
                 // an infinite number would become 0
                 let at = |delta: R| v + delta.to_f64().clamp(f64::MIN, f64::MAX).into();
                 let change = runge_kutta(dt, |delta| {
@@ -96,7 +96,7 @@ impl<R: Real> Stepper<R> {
                     let PhaseRates { psi_alpha, psi_beta, .. } = self.equations.rates(tanh, sech);
                     Rates { variable: self.equations.aperiodic_rate(tanh, sech), psi_alpha, psi_beta }
                 });
-                self.half_phase = HalfPhase::Aperiodic(at(change.variable));
+                self.variable = Variable::V(at(change.variable));
                 change
             }
         };
@@ -104,8 +104,7 @@ impl<R: Real> Stepper<R> {
         let [alpha_rate, beta_rate] = self.constant_rates;
         let alpha_advance = advance(alpha_rate);
         // the constant rates are ±τ/2 unless the motion is steady, and a product costs much
-        let beta_advance =
-            if self.half_phase == HalfPhase::Steady { advance(beta_rate) } else { -alpha_advance };
+        let beta_advance = if self.variable == Variable::None { advance(beta_rate) } else { -alpha_advance };
         let [alpha, beta] = &mut self.slow_phases;
         *alpha += phase_from_radians(change.psi_alpha) + alpha_advance;
         *beta += phase_from_radians(change.psi_beta) + beta_advance;
@@ -163,17 +162,17 @@ impl<R: Real> Stepper<R> {
 
     /// Number e^{iχ}.
     fn cis_chi(&self) -> Complex<R> {
-        match self.half_phase {
-            HalfPhase::Steady => Complex::ONE,
-            HalfPhase::Periodic(chi) => Complex::cis(chi),
-            HalfPhase::Aperiodic(v) => gudermannian(R::from_extended(v)),
+        match self.variable {
+            Variable::None => Complex::ONE,
+            Variable::Chi(chi) => Complex::cis(chi),
+            Variable::V(v) => gudermannian(R::from_extended(v)),
         }
     }
 
     /// Rates of χ, λ_α and λ_β at e^{iχ}, rad/s.
     fn rates(&self, cis_chi: Complex<R>) -> [R; 3] {
-        let PhaseRates { chi, psi_alpha, psi_beta } = match self.half_phase {
-            HalfPhase::Steady => PhaseRates::ZERO,
+        let PhaseRates { chi, psi_alpha, psi_beta } = match self.variable {
+            Variable::None => PhaseRates::ZERO,
             _ => self.equations.rates(cis_chi.im, cis_chi.re),
         };
         let [(_, alpha), (_, beta)] = self.constant_rates;
@@ -184,10 +183,10 @@ impl<R: Real> Stepper<R> {
     fn continued_phi(&self) -> Phase {
         let cis_chi = self.cis_chi();
         let [alpha_phase, beta_phase] = self.slow_phases;
-        let chi = match self.half_phase {
-            HalfPhase::Steady => Phase::ZERO,
-            HalfPhase::Periodic(chi) => chi,
-            HalfPhase::Aperiodic(_) => phase_from_radians(cis_chi.arg()),
+        let chi = match self.variable {
+            Variable::None => Phase::ZERO,
+            Variable::Chi(chi) => chi,
+            Variable::V(_) => phase_from_radians(cis_chi.arg()),
         };
         let Ellipses { alpha, beta } = &self.ellipses;
         alpha_phase

@@ -18,7 +18,7 @@ use crate::elliptic::elementary::{ValueAndSlope, rounded};
 use crate::orientation::{ArgumentOffsets, solve_increasing};
 use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
-use toytop::internal::{branch_points, first_integrals, top_constants};
+use toytop::internal::{aperiodic_v, branch_points, first_integrals, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -95,7 +95,7 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let v = Extended::from(motion.aperiodic_v()?);
+        let v = Extended::from(aperiodic_v(motion)?);
         let e = branch_points(motion);
         let [a, _, s, p, g, _] = top_constants(motion.top());
         let one_minus_e1 = e.one_minus_e1();

@@ -9,7 +9,7 @@
 //!
 //! The formula needs neither branch points nor a table.
 
-use toytop::internal::{half_phase, half_tau, top_constants};
+use toytop::internal::{half_phase, half_tau, phase_equations, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, add_scaled, dot, scaled};
 use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
@@ -51,7 +51,7 @@ impl FreeBody {
                 [0.0; 3]
             },
             // χ advances by half a turn in a turn of the axis
-            precession: motion.equations().rates(Extended::ZERO, Extended::ONE).chi.doubled(),
+            precession: phase_equations(motion).rates(Extended::ZERO, Extended::ONE).chi.doubled(),
             half_tau: half_tau(motion),
             nutation: half_phase(motion),
         })

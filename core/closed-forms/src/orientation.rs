@@ -1,7 +1,9 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period, and the inverse of an increasing function.
 
 use crate::elliptic::elementary::{ValueAndSlope, angle, of_turns, rounded};
-use toytop::internal::{Ellipse, Ellipses, branch_points, half_phase, half_tau, slow_phases};
+use toytop::internal::{
+    Ellipse, Ellipses, branch_points, half_phase, half_tau, phase_equations, slow_phases,
+};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -24,7 +26,7 @@ impl ArgumentOffsets {
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
         let (im, re) = of_turns(half_phase(motion).unwrap_or_default());
-        let rates = motion.equations().rates(im, re);
+        let rates = phase_equations(motion).rates(im, re);
         let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
             let z = ellipse.slow_phase(Complex::new(re, im), [rates.chi, psi], [value, slope]);
             angle(z.im, z.re).radians_to_turns().to_phase()

@@ -10,9 +10,10 @@ use crate::scalar::{Extended, Float, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// -1 < e₁ = e₂ < 1 and |l| < |n|: the slower regular precession. The tilt may change by 2^-49 rad, as roundings of a state do.
+    /// -1 < e₁ = e₂ < 1 and |l| < |n|: the slower regular precession. A change of the tilt below 2^-49 rad, as by roundings of a state, counts
+    /// as none.
     SlowPrecession,
-    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster regular precession. The tilt may change by 2^-49 rad.
+    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster regular precession, with the same threshold.
     FastPrecession,
     /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
     SleepingStable,
@@ -28,7 +29,7 @@ impl Regime {
     /// Regime of branch points; `upright` tells whether a motion with e₂ = e₃ = 1 has u = 1.
     pub(crate) fn new(e: &BranchPoints<Extended>, signs: Signs, upright: bool) -> Self {
         let zero = Extended::ZERO;
-        if !u_oscillates(e) {
+        if !tilt_changes(e) {
             if e.one_minus_e2 == zero {
                 Self::SleepingStable
             } else if e.one_plus_e1 == zero {
@@ -56,7 +57,7 @@ impl Regime {
 }
 
 /// Whether the tilt changes by more than roundings, or passes through the vertical.
-fn u_oscillates(e: &BranchPoints<Extended>) -> bool {
+fn tilt_changes(e: &BranchPoints<Extended>) -> bool {
     /// Least change of the tilt that counts, rad: 2^-49, some roundings of a state.
     const MIN_SWING: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;

@@ -10,6 +10,31 @@ pub struct Q30(pub(crate) i32);
 
 impl Sealed for Q30 {}
 
+/// Whether the target has no `f32` unit.
+const SOFT_FLOAT: bool = cfg!(any(
+    all(target_arch = "arm", not(target_abi = "eabihf")),
+    all(target_arch = "riscv32", not(target_feature = "f"))
+));
+
+impl Q30 {
+    /// This number times 2^exponent, rounded to `f32`; 0 for an exponent below -95, at which it could be subnormal.
+    #[inline(always)]
+    pub(crate) fn to_f32(self, exponent: i32) -> f32 {
+        let number = if exponent < -95 { 0 } else { self.0 };
+        let exponent = exponent.max(-95) - 30;
+        if SOFT_FLOAT {
+            // the same bits as the product below: a product with a power of two is exact
+            let converted = (number as f32).to_bits();
+            return if number == 0 {
+                0.0
+            } else {
+                f32::from_bits(converted.wrapping_add_signed(exponent << 23))
+            };
+        }
+        number as f32 * f32::from_bits(((exponent + 127) as u32) << 23)
+    }
+}
+
 impl Ring for Q30 {
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1 << 30);
@@ -57,5 +82,20 @@ impl Neg for Q30 {
     #[inline]
     fn neg(self) -> Self {
         Self(self.0.wrapping_neg())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_power_of_two_is_exact() {
+        for (number, exponent) in [(1 << 30, 0), (-3, 30), (i32::MAX, 119), (1, -95), (i32::MIN, -27)] {
+            let exact = f64::from(number as f32) * libm::exp2(f64::from(exponent - 30));
+            assert_eq!(f64::from(Q30(number).to_f32(exponent)), exact, "{number} {exponent}");
+        }
+        let zeros = [(0, 73), (1 << 30, -96), (5, -167)];
+        assert_eq!(zeros.map(|(number, exponent)| Q30(number).to_f32(exponent)), [0.0; 3]);
     }
 }

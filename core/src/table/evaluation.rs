@@ -19,12 +19,12 @@ pub(super) mod rounding;
 
 mod omega_q30;
 
-mod coefficient_i32;
+mod f32_q31;
 
 #[cfg(feature = "fixed")]
-mod coefficient_i16;
+mod q15;
 
-mod coefficient_f64;
+mod f64;
 
 use crate::complex::Complex;
 use crate::scalar::{Float, Real, Ring, Scalar};
@@ -60,12 +60,9 @@ pub struct TickErrors {
 
 /// Scalar of a table: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
 pub trait TableScalar: Scalar + Into<f64> + 'static {
-    /// Number in which a tick computes α, β and Ω.
-    #[doc(hidden)]
-    type Number: TickNumber<Sum = <Self::Coefficient as Coefficient>::Sum, Quantity = Self::Quantity>;
     /// Coefficient of the table.
     #[doc(hidden)]
-    type Coefficient: Coefficient<Number = Self::Number>;
+    type Coefficient: Coefficient<Number: TickNumber<Quantity = Self::Quantity>>;
     /// Segment: coefficients of Re a, Im a, Re b and Im b side by side, lowest power first.
     type Segment: Copy
         + Debug
@@ -96,32 +93,22 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
 
     /// Nearest value of the scalar.
     #[doc(hidden)]
-    fn from_number(number: Self::Number) -> Self;
+    fn from_number(number: NumberOf<Self>) -> Self;
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
     fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
 }
 
-/// Number in which a tick computes α, β and Ω: `Q30` or `f64`. Rates have a common exponent: they can exceed 2.
+/// Number in which a tick of a scalar computes α, β and Ω.
+pub(crate) type NumberOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Number;
+
+/// Number in which a tick computes α, β and Ω: `Q30` or `f64`.
 pub trait TickNumber: Ring {
-    /// Sum of Horner's rule.
-    type Sum;
     /// Type of lengths and rates.
     type Quantity: Real;
 
-    /// Number of `omega_body`, times the power of two of this exponent, which is 0 in `f64`.
+    /// This number times 2^exponent. In `f64` the exponent is 0.
     fn to_quantity(self, exponent: i32) -> Self::Quantity;
-    /// Angular velocity Ω over a power of two, with the exponent of that power.
-    ///
-    /// * `polynomials`: values and derivatives
-    /// * `difference`: sine and cosine of Λ_β - Λ_α
-    /// * `rates`: rates of x on an eighth of half a period, of Λ_α + Λ_β, and about the axis
-    fn omega_body(
-        polynomials: [[Self::Sum; 4]; 2],
-        difference: [Self::Sum; 2],
-        point: SegmentPoint,
-        rates: [Self::Quantity; 3],
-    ) -> (Vector<Self>, i32);
 }
 
 /// Coefficient of a table, and the operations that depend on its word: rounding in a set-up, evaluation in a tick.
@@ -129,7 +116,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Sum of Horner's rule, and the local coordinate: `i32` for `i16`, otherwise the type of the coefficient itself.
     type Sum: Coefficient<Sum = Self::Sum, Number = Self::Number> + Default + Into<f64>;
     /// Number that the evaluation results in.
-    type Number: TickNumber<Sum = Self::Sum>;
+    type Number: TickNumber;
 
     /// Coefficient of x^power nearest to a value, in units of 2^-62.
     fn nearest(value: i64, power: usize) -> Self;
@@ -156,6 +143,17 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     ) -> Complex<Self::Number>;
     /// Sine and cosine of Λ_β - Λ_α, from the sines and cosines of Λ_α and Λ_β.
     fn sine_cosine_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> [Self::Sum; 2];
+    /// Angular velocity Ω over a power of two, with the exponent of that power: the rates can exceed the range of the number.
+    ///
+    /// * `polynomials`: values and derivatives
+    /// * `difference`: sine and cosine of Λ_β - Λ_α
+    /// * `rates`: rates of x on an eighth of half a period, of Λ_α + Λ_β, and about the axis
+    fn omega_body(
+        polynomials: [[Self::Sum; 4]; 2],
+        difference: [Self::Sum; 2],
+        point: SegmentPoint,
+        rates: [<Self::Number as TickNumber>::Quantity; 3],
+    ) -> (Vector<Self::Number>, i32);
 }
 
 /// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
@@ -164,7 +162,7 @@ pub(crate) fn orientation<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     [a, b]: [u64; 2],
-) -> Orientation<R::Number> {
+) -> Orientation<NumberOf<R>> {
     let [[re_a, im_a, re_b, im_b], _] = polynomials::<R::Coefficient, false>(rows, point);
     // each sine where it is needed: the smallest chips have few registers
     let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, R::sine_cosine_sums(a));
@@ -179,14 +177,14 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     point: SegmentPoint,
     mean_phases: [u64; 2],
     rates: [R::Quantity; 3],
-) -> (Orientation<R::Number>, Vector<R::Number>, i32) {
+) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
     let [a, b] = mean_phases.map(R::sine_cosine_sums);
     let polynomials = polynomials::<R::Coefficient, true>(rows, point);
     let [[re_a, im_a, re_b, im_b], _] = polynomials;
     let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, a);
     let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, b);
     let difference = R::Coefficient::sine_cosine_of_difference([a, b]);
-    let (omega, exponent) = R::Number::omega_body(polynomials, difference, point, rates);
+    let (omega, exponent) = R::Coefficient::omega_body(polynomials, difference, point, rates);
     (Orientation { alpha, beta }, omega, exponent)
 }
 

@@ -23,7 +23,7 @@ use super::error_budget::ErrorBudget;
 use super::interval::{HALF_PERIOD, Interval};
 use super::path::launch_phases::LaunchPhases;
 use super::path::polynomial::Polynomial;
-use super::path::{Path, PathPoint, PathScratch};
+use super::path::{Path, PathScratch};
 use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
@@ -146,8 +146,7 @@ impl HalfPeriod {
         while position < HALF_PERIOD {
             // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
             depth = (depth - 1).max(MIN_DEPTH + (position / CELL_LENGTH % 2) as u32);
-            let point = path.point_at(position);
-            path.try_longer_spans(depth);
+            path.begin_cell(position, depth);
             let (cell, bounds) = loop {
                 let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
                 let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> MIN_DEPTH);
@@ -155,7 +154,7 @@ impl HalfPeriod {
                 if depth > Cell::MAX_DEPTH || count > capacity {
                     return Err(TooManySegments { segments: capacity as u32 });
                 }
-                if let Some(bounds) = self.fill_cell::<R>(cell, depth, point, path, segments, pause) {
+                if let Some(bounds) = self.fill_cell::<R>(cell, depth, path, segments, pause) {
                     break (cell, bounds);
                 }
                 depth += 1;
@@ -176,19 +175,17 @@ impl HalfPeriod {
     /// Computes and stores the segments of a cell, or one of two cells; `None` if they are too long.
     ///
     /// * `depth`: depth of the segments
-    /// * `point`: beginning of the cell
     fn fill_cell<R: TableScalar>(
         &mut self,
         cell: Interval,
         depth: u32,
-        mut point: PathPoint,
         path: &mut Path<'_, R::PathNumber>,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<SegmentBounds> {
         let mut bounds = SegmentBounds::ZERO;
         for (segment, number) in cell.parts(depth).zip(self.segments..) {
-            let span = path.span_at(segment.begin, &mut point, depth, pause)?;
+            let span = path.span_at(segment.begin, depth, pause)?;
             bounds.include(&store_segment::<R>(path, span, segment, segments.get_mut(number), pause));
             let is_accurate = bounds.error <= path.budget.segment_error_at(depth);
             if !is_accurate {

@@ -27,7 +27,7 @@ const MIN_SPAN_DEPTH: u32 = 2;
 
 /// Point of the path.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct PathPoint {
+struct PathPoint {
     phases: PathPhases,
     /// Truncation and rounding errors of the steps to it, rad.
     error: f64,
@@ -35,7 +35,7 @@ pub(super) struct PathPoint {
 
 impl PathPoint {
     /// Turning point u = e₁.
-    pub(super) const FIRST: Self = Self { phases: PathPhases::ZERO, error: 0.0 };
+    const FIRST: Self = Self { phases: PathPhases::ZERO, error: 0.0 };
 }
 
 /// Phase equations of a motion along half a period.
@@ -100,6 +100,10 @@ pub(super) struct Path<'a, F> {
     span: Option<Interval>,
     /// End of the span.
     end: PathPoint,
+    /// Position of the cell that is filled, from which shorter spans may begin again.
+    cell: usize,
+    /// Beginning of this cell.
+    cell_point: PathPoint,
     /// Least depth of the next span.
     next_span_depth: u32,
 }
@@ -135,15 +139,25 @@ impl<'a, F: Float> Path<'a, F> {
             launch: LaunchPhases::new(motion),
             span: None,
             end: PathPoint::FIRST,
+            cell: 0,
+            cell_point: PathPoint::FIRST,
             next_span_depth: MIN_SPAN_DEPTH,
         }
     }
 
-    /// Point at a position on the span.
-    pub(super) fn point_at(&self, position: usize) -> PathPoint {
-        let Some(span) = self.span.filter(|span| position < span.end()) else { return self.end };
-        let x = 2.0 * ((position - span.begin) as f64 / span.length() as f64) - 1.0;
-        PathPoint { phases: self.scratch.expansion.at(x).0, error: self.end.error }
+    /// Begins a cell. Its first span may be as long as a segment of this depth, if the last series would converge on it.
+    pub(super) fn begin_cell(&mut self, position: usize, depth: u32) {
+        self.cell = position;
+        self.cell_point = match self.span.filter(|span| position < span.end()) {
+            Some(span) => {
+                let x = 2.0 * ((position - span.begin) as f64 / span.length() as f64) - 1.0;
+                PathPoint { phases: self.scratch.expansion.at(x).0, error: self.end.error }
+            }
+            None => self.end,
+        };
+        if self.scratch.expansion.may_double() {
+            self.next_span_depth = self.next_span_depth.min(depth);
+        }
     }
 
     /// Upper bound on the rates of the residual phases on the span, rad per half period.
@@ -151,35 +165,26 @@ impl<'a, F: Float> Path<'a, F> {
         self.scratch.expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32
     }
 
-    /// Lets the next span be as long as a segment of this depth, if its series should converge.
-    pub(super) fn try_longer_spans(&mut self, max_depth: u32) {
-        if self.scratch.expansion.may_double() {
-            self.next_span_depth = self.next_span_depth.min(max_depth);
-        }
-    }
-
-    /// Span at a position: the present one or the next. `None` if no depth up to `max_depth` is accurate.
-    ///
-    /// * `point`: beginning of the next span; on return, the end of the span
+    /// Span at a position: the present one, or the next from the end of the present one or from the beginning of the cell. `None` if no depth
+    /// up to `max_depth` is accurate.
     pub(super) fn span_at(
         &mut self,
         position: usize,
-        point: &mut PathPoint,
         max_depth: u32,
         pause: &mut dyn FnMut(),
     ) -> Option<Interval> {
         if !self.span.is_some_and(|span| (span.begin..span.end()).contains(&position)) {
+            let point = if position == self.cell { self.cell_point } else { self.end };
             let depth = self.next_span_depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
             self.span = None;
             for depth in depth..=max_depth {
-                self.span = self.expand(Interval { begin: position, depth }, *point, pause);
+                self.span = self.expand(Interval { begin: position, depth }, point, pause);
                 if self.span.is_some() {
                     break;
                 }
                 self.next_span_depth = depth + 1;
             }
         }
-        *point = self.end;
         self.span
     }
 

@@ -11,27 +11,29 @@ pub(super) const fn is_by_16_bits(power: usize, terms: usize) -> bool {
     2 * power > terms
 }
 
-/// 1 minus `margin`, in units of 2^-62.
-pub(super) const fn overflow_limit(margin: f64) -> i64 {
-    ((1.0 - margin) * (1_i64 << TABLE_BITS) as f64) as i64
+/// Upper bound on a sum of Horner's rule, in units of 2^-31: its coefficient plus half of the sum before, rounded up. `None` where a tick could
+/// overflow.
+pub(in crate::table) const fn next_sum(coefficient: u32, before: u32) -> Option<u32> {
+    /// Least sum from which the smallest chip cannot compute a product by halves.
+    const OVERFLOW: u32 = (1 << 31) - (1 << 15);
+    let sum = coefficient.saturating_add(before.div_ceil(2));
+    if sum < OVERFLOW { Some(sum) } else { None }
 }
 
-/// Sum of the bounds of all products by 16 bits of x, in units of 2^-30; `None` where a sum could exceed `limit`.
-pub(super) fn truncated_factors(polynomial: &[i64], limit: i64) -> Option<u32> {
-    let limit = (limit >> 32) as u32;
-    let mut sum = 0_u32;
-    let mut factors = 0;
-    for (power, value) in polynomial.iter().enumerate().skip(1).rev() {
-        // rounded up; a sum that is not too large has room for another coefficient
-        sum += (value.unsigned_abs() >> 32) as u32 + 1;
-        if sum > limit >> power {
-            return None;
-        }
+/// Sum of the upper bounds of all products by 16 bits of x, in units of 2^-30; `None` where a sum could overflow.
+///
+/// * `rounded`: coefficient of a power in units of 2^-31, from its value
+pub(super) fn short_product_bound(polynomial: &[i64], rounded: impl Fn(i64, usize) -> i64) -> Option<u32> {
+    let mut sum = 0;
+    let mut bound = 0;
+    for (power, &value) in polynomial.iter().enumerate().skip(1).rev() {
+        let coefficient = rounded(value, power).unsigned_abs();
+        sum = next_sum(u32::try_from(coefficient).ok()?, sum)?;
         if is_by_16_bits(power, polynomial.len()) {
-            factors += sum;
+            bound += (sum >> (power + 1)) + 1;
         }
     }
-    Some(factors)
+    Some(bound)
 }
 
 /// Polynomial in units of 2^-62.

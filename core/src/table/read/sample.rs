@@ -6,7 +6,7 @@ use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::Phases;
 use crate::table::data::Table;
-use crate::table::evaluation::{TableScalar, TickNumber, orientation, orientation_and_omega_body};
+use crate::table::evaluation::{NumberOf, TableScalar, TickNumber, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
@@ -137,7 +137,7 @@ impl<R: TableScalar> Sample<'_, R> {
     }
 
     #[inline(always)]
-    fn unrounded(&self) -> Orientation<R::Number> {
+    fn unrounded(&self) -> Orientation<NumberOf<R>> {
         let Phases { nutation, alpha, beta } = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation::<R>(rows, point, [alpha, beta])
@@ -145,7 +145,7 @@ impl<R: TableScalar> Sample<'_, R> {
 
     /// Unrounded orientation, and Ω over a power of two with its exponent.
     #[inline(always)]
-    fn unrounded_and_scaled_omega_body(&self) -> (Orientation<R::Number>, Vector<R::Number>, i32) {
+    fn unrounded_and_scaled_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
         let Phases { nutation, alpha, beta } = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation_and_omega_body::<R>(rows, point, [alpha, beta], self.table.clock.rates())
@@ -153,7 +153,7 @@ impl<R: TableScalar> Sample<'_, R> {
 
     /// Unrounded orientation, and Ω.
     #[inline(always)]
-    fn unrounded_and_omega_body(&self) -> (Orientation<R::Number>, Vector<R::Quantity>) {
+    fn unrounded_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_and_scaled_omega_body();
         let [x1, x2] = [x1, x2].map(|x| x.to_quantity(exponent));
         (orientation, [x1, x2, self.table.clock.axial_rate])

@@ -1,12 +1,11 @@
 //! Ranges of literal data in which no integer of a tick overflows. Only the tip's velocity may become infinite. Every set-up keeps them.
 
+use crate::table::evaluation::rounding::next_sum;
+
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
 pub(super) const MAX_F64: f64 = 1e60;
 /// Largest rate or length in `f32`. Only the velocity of the tip, a product of two such numbers, may become infinite.
 pub(super) const MAX_F32: f64 = 1e30_f32 as f64;
-/// Largest 32-bit sum from which the smallest chip computes a product by halves.
-const MAX_SUM: u64 = (1 << 31) - (1 << 15);
-
 /// Whether no number is NaN or of a larger size.
 pub(super) const fn all_at_most(mut numbers: &[f64], greatest: f64) -> bool {
     while let [number, rest @ ..] = numbers {
@@ -28,20 +27,17 @@ pub(super) const fn are_safe_f64(coefficients: &[f64]) -> bool {
     all_at_most(coefficients, MAX_F64)
 }
 
-/// Whether the sums of Horner's rule stay in range, from the highest power of four polynomials down. A sum is at most its coefficient plus half
-/// of the sum before, rounded up. The last sum saturates.
+/// Whether the sums of Horner's rule stay in range, from the highest power of four polynomials down. The last sum saturates.
 macro_rules! sums_in_range {
     ($name:ident, $coefficient:ident, $fraction_bits:literal) => {
         pub(super) const fn $name(coefficients: &[$coefficient]) -> bool {
             let [_, _, _, _, powers @ ..] = coefficients else { return true };
             let mut powers = powers;
-            let mut sums = [0_u64; 4];
+            let mut sums = [0; 4];
             while let [rest @ .., coefficient] = powers {
-                let [a, b, c, sum] = sums;
-                let sum = ((coefficient.unsigned_abs() as u64) << (31 - $fraction_bits)) + sum.div_ceil(2);
-                if sum >= MAX_SUM {
-                    return false;
-                }
+                let [a, b, c, before] = sums;
+                let in_sums = (coefficient.unsigned_abs() as u32) << (31 - $fraction_bits);
+                let Some(sum) = next_sum(in_sums, before) else { return false };
                 (powers, sums) = (rest, [sum, a, b, c]);
             }
             true

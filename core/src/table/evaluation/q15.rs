@@ -3,8 +3,10 @@
 use crate::complex::Complex;
 use crate::integer::shifted_right;
 use crate::scalar::{Q30, sine_cosine_q15};
-use crate::table::evaluation::coefficient_i32::{COORDINATE_ERROR, ERRORS_Q30};
-use crate::table::evaluation::rounding::{TABLE_BITS, overflow_limit, truncated_factors};
+use crate::su2::Vector;
+use crate::table::evaluation::f32_q31::{COORDINATE_ERROR, ERRORS_Q30};
+use crate::table::evaluation::omega_q30::omega_body;
+use crate::table::evaluation::rounding::{TABLE_BITS, short_product_bound};
 use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors};
 use fixed::types::I2F14;
 
@@ -12,7 +14,6 @@ use fixed::types::I2F14;
 const UNIT_Q15: f64 = 1.0 / (1_u64 << 15) as f64;
 
 impl TableScalar for I2F14 {
-    type Number = Q30;
     type Coefficient = i16;
     type Segment = [[i16; 4]; 3];
     type Quantity = f32;
@@ -40,23 +41,25 @@ impl TableScalar for I2F14 {
     }
 }
 
+/// Coefficient of a power in units of 2^-15, from its value in units of 2^-62.
+fn rounded(value: i64, power: usize) -> i64 {
+    /// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.
+    const SHRINK: i64 = (1 << 30) - 10093;
+    // 2^-30 of the value's unit is far below the rounding
+    shifted_right((value >> 30) * SHRINK, TABLE_BITS - 15 - power as u32)
+}
+
 impl Coefficient for i16 {
     type Sum = i32;
     type Number = Q30;
 
     fn nearest(value: i64, power: usize) -> Self {
-        /// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.
-        const SHRINK: i64 = (1 << 30) - 10093;
-        let dropped = TABLE_BITS - 15 - power as u32;
-        // 2^-30 of the value's unit is far below the rounding
-        let shrunk = (value >> 30) * SHRINK;
-        shifted_right(shrunk, dropped).clamp(i16::MIN.into(), i16::MAX.into()) as i16
+        rounded(value, power).clamp(i16::MIN.into(), i16::MAX.into()) as i16
     }
 
     fn product_error(polynomial: &[i64]) -> f32 {
-        /// Least sum that could overflow: 1 minus about thirty roundings of a coefficient.
-        const OVERFLOW: i64 = overflow_limit(1e-3);
-        truncated_factors(polynomial, OVERFLOW).map_or(f32::INFINITY, |_| 0.0)
+        let in_sums = |value, power| rounded(value, power) << 16;
+        short_product_bound(polynomial, in_sums).map_or(f32::INFINITY, |_| 0.0)
     }
 
     #[inline]
@@ -97,6 +100,16 @@ impl Coefficient for i16 {
     fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
         [cosine_a * sine_b - sine_a * cosine_b, cosine_a * cosine_b + sine_a * sine_b]
     }
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[i32; 4]; 2],
+        difference: [i32; 2],
+        point: SegmentPoint,
+        rates: [f32; 3],
+    ) -> (Vector<Q30>, i32) {
+        omega_body(polynomials, difference, point, rates)
+    }
 }
 
 #[cfg(test)]
@@ -105,9 +118,12 @@ mod tests {
     use crate::table::evaluation::rounding::polynomial_q62;
 
     #[test]
-    fn sums_stay_below_their_powers_by_a_margin() {
-        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.4994, 0.0])), 0.0);
-        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.4996, 0.0])), f32::INFINITY);
-        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.2, -0.2499, 0.0])), f32::INFINITY);
+    fn sums_stay_below_their_powers() {
+        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.4999, 0.0])), 0.0);
+        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.5001, 0.0])), f32::INFINITY);
+        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.2, -0.2501, 0.0])), f32::INFINITY);
+        // of the second sum, half of the first is 0.375
+        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.33, 0.1875, 0.0])), f32::INFINITY);
+        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.31, 0.1875, 0.0])), 0.0);
     }
 }

@@ -9,7 +9,9 @@
 use crate::complex::Complex;
 use crate::integer::{high_product, high_product_limited, product_32x16, shifted_right};
 use crate::scalar::{Q30, Scalar, sine_cosine_q26};
-use crate::table::evaluation::rounding::{TABLE_BITS, overflow_limit, truncated_factors};
+use crate::su2::Vector;
+use crate::table::evaluation::omega_q30::omega_body;
+use crate::table::evaluation::rounding::{TABLE_BITS, short_product_bound};
 use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors, TickNumber};
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
@@ -26,8 +28,16 @@ pub(super) const ERRORS_Q30: TickErrors = TickErrors {
     relative_omega: 3.7 * <f32 as Scalar>::ROUNDING,
 };
 
+impl TickNumber for Q30 {
+    type Quantity = f32;
+
+    #[inline(always)]
+    fn to_quantity(self, exponent: i32) -> f32 {
+        self.to_f32(exponent)
+    }
+}
+
 impl TableScalar for f32 {
-    type Number = Q30;
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
     type Quantity = Self;
@@ -42,7 +52,7 @@ impl TableScalar for f32 {
 
     #[inline]
     fn from_number(number: Q30) -> Self {
-        number.to_quantity(0)
+        number.to_f32(0)
     }
 
     #[inline(always)]
@@ -53,7 +63,6 @@ impl TableScalar for f32 {
 
 #[cfg(feature = "fixed")]
 impl TableScalar for I2F30 {
-    type Number = Q30;
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];
     type Quantity = f32;
@@ -76,6 +85,13 @@ impl TableScalar for I2F30 {
     }
 }
 
+/// Coefficient of a power in units of 2^-31, from its value in units of 2^-62. It has half a unit more, because the product added to it is
+/// rounded down. The constant has none: a complement changes its sign.
+fn rounded(value: i64, power: usize) -> i64 {
+    let dropped = TABLE_BITS - 31 - power as u32;
+    if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 }
+}
+
 /// Error of products by 16 bits of x that counts as part of a tick, in units of 2^-62: 2^-31.
 const ACCEPTED_ERROR: f32 = (1_u32 << 31) as f32;
 
@@ -83,20 +99,14 @@ impl Coefficient for i32 {
     type Sum = Self;
     type Number = Q30;
 
-    /// Coefficient with half a unit more, because the product added to it is rounded down. The constant has none: a complement changes its
-    /// sign.
     fn nearest(value: i64, power: usize) -> Self {
-        let dropped = TABLE_BITS - 31 - power as u32;
-        let rounded = if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 };
-        rounded.clamp(i32::MIN.into(), i32::MAX.into()) as i32
+        rounded(value, power).clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }
 
     fn product_error(polynomial: &[i64]) -> f32 {
-        /// Least sum that could overflow: 1 minus 2^-15 and some thousand roundings of a coefficient.
-        const OVERFLOW: i64 = overflow_limit(3.2e-5);
-        let Some(factors) = truncated_factors(polynomial, OVERFLOW) else { return f32::INFINITY };
+        let Some(bound) = short_product_bound(polynomial, rounded) else { return f32::INFINITY };
         // from units of 2^-30, times the truncation of x to 2^-15
-        let error = factors as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
+        let error = bound as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
         if error > ACCEPTED_ERROR { error - ACCEPTED_ERROR } else { 0.0 }
     }
 
@@ -140,6 +150,16 @@ impl Coefficient for i32 {
             high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
             high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
         ]
+    }
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[i32; 4]; 2],
+        difference: [i32; 2],
+        point: SegmentPoint,
+        rates: [f32; 3],
+    ) -> (Vector<Q30>, i32) {
+        omega_body(polynomials, difference, point, rates)
     }
 }
 

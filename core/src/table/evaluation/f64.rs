@@ -7,7 +7,6 @@ use crate::table::evaluation::rounding::TABLE_UNIT;
 use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors, TickNumber};
 
 impl TableScalar for f64 {
-    type Number = Self;
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Quantity = Self;
@@ -36,24 +35,7 @@ impl TableScalar for f64 {
 }
 
 impl TickNumber for f64 {
-    type Sum = Self;
     type Quantity = Self;
-
-    #[inline(always)]
-    fn omega_body(
-        polynomials: [[f64; 4]; 2],
-        [sine, cosine]: [f64; 2],
-        point: SegmentPoint,
-        [x, mean, axial]: [f64; 3],
-    ) -> (Vector<f64>, i32) {
-        let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
-        let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
-        let x = x * Self::from(1_u16 << point.halvings);
-        let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
-        let n = change + (a.conj() * b).times_i().scaled(mean);
-        let n = if point.is_falling { -n.conj() } else { n } * Complex::new(cosine, sine);
-        ([2.0 * n.im, -2.0 * n.re, axial], 0)
-    }
 
     #[inline]
     fn to_quantity(self, _: i32) -> f64 {
@@ -102,5 +84,21 @@ impl Coefficient for f64 {
     fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> [f64; 2] {
         let difference = Complex::new(cosine_a, sine_a).conj() * Complex::new(cosine_b, sine_b);
         [difference.im, difference.re]
+    }
+
+    #[inline(always)]
+    fn omega_body(
+        polynomials: [[f64; 4]; 2],
+        [sine, cosine]: [f64; 2],
+        point: SegmentPoint,
+        [x, mean, axial]: [f64; 3],
+    ) -> (Vector<f64>, i32) {
+        let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
+        let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
+        let x = x * Self::from(1_u16 << point.halvings);
+        let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
+        let n = change + (a.conj() * b).times_i().scaled(mean);
+        let n = if point.is_falling { -n.conj() } else { n } * Complex::new(cosine, sine);
+        ([2.0 * n.im, -2.0 * n.re, axial], 0)
     }
 }
