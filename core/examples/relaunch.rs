@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     // At tick 250 a stick strikes the rim with 2 mN s: 25 mm from the axis, at the height of the centre of mass, along the
     // second fixed axis.
     let struck_at: u16 = 250;
-    let state = State::from_attitude(&before.at_tick(struck_at.into()).attitude_state())?;
+    let state = before.at_tick(struck_at.into()).state()?;
     let stroke = PointImpulse { impulse: [0.0, 2.0e-3, 0.0], point: [0.025, 0.0, 0.03] };
     let [.., pressure] = state.reaction_impulse(&top, &stroke)?;
     println!("the plane answers with {pressure:.1e} N s; if that were negative, the top would leave it");

@@ -104,10 +104,10 @@ impl<R: Ring> Orientation<R> {
         let beta = self.beta;
         let p = alpha * w - beta.scaled(x3);
         let q = alpha.scaled(x3) + beta * w.conj();
-        let across = alpha * p - beta * q;
+        let horizontal = alpha * p - beta * q;
         let vertical =
             R::inner([alpha.re, alpha.im], [q.re, q.im]) + R::inner([beta.re, beta.im], [p.re, p.im]);
-        [across.re, across.im, vertical]
+        [horizontal.re, horizontal.im, vertical]
     }
 
     /// Symmetry axis r = Φ e₃ Φ⁻¹, from the tip to the centre of mass: r₁ + i r₂ = -2αβ, r₃ = u.

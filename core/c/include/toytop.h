@@ -78,7 +78,7 @@ enum toytop_status
   TOYTOP_TABLE_TOO_SMALL = 4,
   // The memory of a table or a workspace is not aligned, or the memory of a table has no room for 8 segments.
   TOYTOP_BAD_MEMORY = 5,
-  // A table, motion, cursor or sample was not made by this library, its set-up failed, or it belongs to another or an earlier table.
+  // A table, motion, cursor, sample or search for events was not made by this library, its set-up failed, or it belongs to another or an earlier table.
   TOYTOP_NOT_SET_UP = 6,
   // The motion has no such event, angle or derivative.
   TOYTOP_NONE = 7,
@@ -410,7 +410,7 @@ toytop_status toytop_f32_set_up(struct toytop_table_f32 *table,
                                 const struct toytop_settings *settings,
                                 struct toytop_error *error);
 
-// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if `set_up` would refuse. A
 // table has at least 8. The call costs what a set-up costs, and has no pauses.
 //
 // * `truncation`: allowed truncation error, rad; 0 stands for the default of the scalar
@@ -429,7 +429,7 @@ toytop_status toytop_f64_set_up(struct toytop_table_f64 *table,
                                 const struct toytop_settings *settings,
                                 struct toytop_error *error);
 
-// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if `set_up` would refuse. A
 // table has at least 8. The call costs what a set-up costs, and has no pauses.
 //
 // * `truncation`: allowed truncation error, rad; 0 stands for the default of the scalar
@@ -448,7 +448,7 @@ toytop_status toytop_q31_set_up(struct toytop_table_q31 *table,
                                 const struct toytop_settings *settings,
                                 struct toytop_error *error);
 
-// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
+// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if `set_up` would refuse. A
 // table has at least 8. The call costs what a set-up costs, and has no pauses.
 //
 // * `truncation`: allowed truncation error, rad; 0 stands for the default of the scalar

@@ -5,7 +5,7 @@ use crate::memory::{Opaque, opaque, write};
 use crate::status::{Refusal, toytop_status};
 use crate::table::*;
 use toytop::internal::{check, check_finite};
-use toytop::{Complex, Orientation, Sample, State, Table, TableScalar};
+use toytop::{Complex, Orientation, Sample, Table, TableScalar};
 
 opaque! {
 /// Bytes of a sample.
@@ -149,7 +149,7 @@ macro_rules! functions {
         quantity! {
         /// State of a sample, from which another motion can be launched.
         [<toytop_ $name _state>]<$scalar>(state: toytop_state) =
-            |sample| toytop_state::from_state(&State::from_attitude(&sample.attitude_state())?)
+            |sample| toytop_state::from_state(&sample.state()?)
         }
 
             }

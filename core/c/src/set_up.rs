@@ -121,7 +121,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     unsafe { status_of(error, || set_up::<$scalar>(table.cast(), size, motion, settings)) }
 }
 
-/// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if an argument is refused. A
+/// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if `set_up` would refuse. A
 /// table has at least 8. The call costs what a set-up costs, and has no pauses.
 ///
 /// * `truncation`: allowed truncation error, rad; 0 stands for the default of the scalar

@@ -20,7 +20,7 @@ pub enum toytop_status {
     TOYTOP_TABLE_TOO_SMALL = 4,
     /// The memory of a table or a workspace is not aligned, or the memory of a table has no room for 8 segments.
     TOYTOP_BAD_MEMORY = 5,
-    /// A table, motion, cursor or sample was not made by this library, its set-up failed, or it belongs to another or an earlier table.
+    /// A table, motion, cursor, sample or search for events was not made by this library, its set-up failed, or it belongs to another or an earlier table.
     TOYTOP_NOT_SET_UP = 6,
     /// The motion has no such event, angle or derivative.
     TOYTOP_NONE = 7,

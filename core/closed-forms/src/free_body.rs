@@ -40,8 +40,8 @@ impl FreeBody {
         let attitude = Stepper::<f64>::new(motion).attitude_state();
         let r = attitude.orientation.axis();
         let omega = attitude.omega();
-        let beyond_sphere = (c - a) * dot(omega, r) + k;
-        let m = add_scaled(scaled(omega, a), r, beyond_sphere);
+        let excess_momentum = (c - a) * dot(omega, r) + k;
+        let m = add_scaled(scaled(omega, a), r, excess_momentum);
         let length = Float::sqrt(dot(m, m));
         Some(Self {
             start: attitude.orientation,

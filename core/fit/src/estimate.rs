@@ -39,7 +39,7 @@ impl FreeRatio {
 pub struct Estimate {
     /// Orientation Φ at the launch.
     pub orientation: Orientation<f64>,
-    /// Angular velocity ω at the launch in the fixed frame.
+    /// Angular velocity ω at the launch in the fixed frame, rad per unit time.
     pub omega: Vector<f64>,
     /// Changes of the logarithms of the free ratios, losses, and biases.
     pub(crate) other: [f64; MAX_UNKNOWNS - LAUNCH_COLUMNS],

@@ -18,7 +18,7 @@ pub enum Support {
 
 /// Symmetric top, in SI or any other consistent units. With g = 1 they are the paper's.
 ///
-/// Its numbers are those that were given; they are not rounded to `f64`.
+/// Its numbers are those that were given, not rounded to `f64`; a rotor momentum below 1e-60 A counts as 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Top {
@@ -209,7 +209,7 @@ impl Top {
     }
 
     /// Length D(u) = A/p + s (1 - u²), from 1 - u².
-    pub(crate) fn d(&self, sine_squared: Extended) -> Extended {
+    pub(crate) fn length_d(&self, sine_squared: Extended) -> Extended {
         self.a / self.p + self.s * sine_squared
     }
 

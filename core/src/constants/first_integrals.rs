@@ -130,10 +130,10 @@ impl FirstIntegrals<Extended> {
         let r_dot = cross(omega, r);
         let (l_minus_n, l_plus_n) = if c > Extended::ZERO {
             // l ∓ n = A ⟨ω, k ∓ r⟩ ∓ ((C - A) ⟨ω, r⟩ + K) (1 ∓ u), without cancellation
-            let beyond_sphere = (c - a) * spin + k;
+            let excess_momentum = (c - a) * spin + k;
             (
-                a * dot(omega, [-r1, -r2, one_minus_u]) - beyond_sphere * one_minus_u,
-                a * dot(omega, [r1, r2, one_plus_u]) + beyond_sphere * one_plus_u,
+                a * dot(omega, [-r1, -r2, one_minus_u]) - excess_momentum * one_minus_u,
+                a * dot(omega, [r1, r2, one_plus_u]) + excess_momentum * one_plus_u,
             )
         } else {
             // l ∓ n = A ⟨r × r', k⟩ ∓ K (1 ∓ u): the axial rate of a rod may be far greater

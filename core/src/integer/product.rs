@@ -56,8 +56,8 @@ pub(crate) const fn product_i32(a: i32, b: i32) -> i64 {
 pub(crate) const fn wrapping_product(a: u64, b: u64) -> u64 {
     let (a_low, a_high) = (a as u32, (a >> 32) as u32);
     let (b_low, b_high) = (b as u32, (b >> 32) as u32);
-    let across = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
-    product_u32(a_low, b_low).wrapping_add((across as u64) << 32)
+    let mixed = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
+    product_u32(a_low, b_low).wrapping_add((mixed as u64) << 32)
 }
 
 /// Complete 128-bit product of two unsigned numbers: upper and lower half.
@@ -75,9 +75,9 @@ fn product_by_words(a: u64, b: u64) -> [u64; 2] {
     let (a_low, a_high) = (a as u32, (a >> 32) as u32);
     let (b_low, b_high) = (b as u32, (b >> 32) as u32);
     let low = product_u32(a_low, b_low);
-    let across = product_u32(a_high, b_low) + (low >> 32);
-    let back = product_u32(a_low, b_high) + u64::from(across as u32);
-    let high = product_u32(a_high, b_high) + (across >> 32) + (back >> 32);
+    let mixed = product_u32(a_high, b_low) + (low >> 32);
+    let back = product_u32(a_low, b_high) + u64::from(mixed as u32);
+    let high = product_u32(a_high, b_high) + (mixed >> 32) + (back >> 32);
     [high, (back << 32) | u64::from(low as u32)]
 }
 
@@ -90,9 +90,9 @@ const fn split_halves(number: i32) -> [i32; 2] {
 /// The lower halves are signed, so that the sum of mixed products does not overflow.
 #[inline(always)]
 const fn product_of_halves([a_low, a_high]: [i32; 2], [b_low, b_high]: [i32; 2]) -> i32 {
-    let across = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
-    let across = across.wrapping_add(a_low.wrapping_mul(b_low) >> 16);
-    a_high.wrapping_mul(b_high).wrapping_add(across >> 16)
+    let mixed = a_high.wrapping_mul(b_low).wrapping_add(a_low.wrapping_mul(b_high));
+    let mixed = mixed.wrapping_add(a_low.wrapping_mul(b_low) >> 16);
+    a_high.wrapping_mul(b_high).wrapping_add(mixed >> 16)
 }
 
 #[inline(always)]
@@ -110,9 +110,9 @@ const fn product_u32_by_halves(a: u32, b: u32) -> u64 {
     // at most 2^16
     let b_high = ((b >> 15) + 1) >> 1;
     let low = (a_low as i32).wrapping_mul(b_low);
-    let across = (a_high as i32).wrapping_mul(b_low).wrapping_add(low >> 16);
-    let back = a_low.wrapping_mul(b_high).wrapping_add(across as u32 & 0xffff);
-    let high = a_high.wrapping_mul(b_high).wrapping_add((across >> 16) as u32).wrapping_add(back >> 16);
+    let mixed = (a_high as i32).wrapping_mul(b_low).wrapping_add(low >> 16);
+    let back = a_low.wrapping_mul(b_high).wrapping_add(mixed as u32 & 0xffff);
+    let high = a_high.wrapping_mul(b_high).wrapping_add((mixed >> 16) as u32).wrapping_add(back >> 16);
     ((high as u64) << 32) | a.wrapping_mul(b) as u64
 }
 

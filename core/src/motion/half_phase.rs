@@ -29,7 +29,7 @@ pub(super) fn half_phase(
     let (g0, below_e3) = if top.is_torque_free() {
         ((udot / torque_free_rate.doubled()).squared(), Extended::ONE)
     } else {
-        let d = top.d(one_minus_u * one_plus_u);
+        let d = top.length_d(one_minus_u * one_plus_u);
         (d * udot.squared() / top.g.doubled(), one_minus_u + e.e3_minus_one)
     };
     let above_e1 = one_plus_u - e.one_plus_e1;

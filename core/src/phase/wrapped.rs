@@ -80,7 +80,7 @@ impl WrappedPhase {
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
-    /// 64 leading bits of the step after n + part · 2^-64 ticks. The step counts as less than half a turn.
+    /// 64 leading bits of step · (n + part · 2^-64), for a step in [-1/2, 1/2) turn.
     ///
     /// Rounded down; error below 2^-95 turns.
     #[inline(always)]

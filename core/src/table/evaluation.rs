@@ -120,8 +120,8 @@ pub trait Coefficient: Copy + Debug + PartialEq {
 
     /// Coefficient of x^power nearest to a value, in units of 2^-62.
     fn nearest(value: i64, power: usize) -> Self;
-    /// Error of products by 16 bits of x, less the part that counts in a tick, in units of 2^-62; infinite where a sum could overflow.
-    fn product_error(polynomial: &[i64]) -> f32;
+    /// Error of products by 16 bits of x above 2^-31, which [`TickErrors`] contain, in units of 2^-62; infinite where a sum could overflow.
+    fn short_product_error(polynomial: &[i64]) -> f32;
     /// Coefficient in the scale of the sums.
     fn to_sum(self) -> Self::Sum;
     /// Local coordinate.

@@ -1,7 +1,7 @@
 //! Ways to read a table agree with each other and with the stepper. The file `truth` compares tables with exact values.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Motion, Orientation, SizedTable, State, Stepper, TableF32, TableF64, TableScalar, Tick};
+use toytop::{Motion, Orientation, SizedTable, Stepper, TableF32, TableF64, TableScalar, Tick};
 use toytop_tests::{
     apart, check, check_all, keep, kilohertz, table_if_it_fits, tolerance, vectors, widened, worst,
 };
@@ -127,7 +127,7 @@ fn a_relaunch_goes_on_as_before() {
     let motion = generic();
     let table = TableF64::new(&motion, kilohertz()).unwrap();
     let errors = [3, 1000, -4321].into_iter().flat_map(|n| {
-        let state = State::from_attitude(&table.at_tick(n).attitude_state()).unwrap();
+        let state = table.at_tick(n).state().unwrap();
         let again = TableF64::new(&Motion::launch(motion.top(), &state).unwrap(), kilohertz()).unwrap();
         [0, 1, -1, 700, 9999]
             .map(|m| again.at_tick(m).orientation().distance(&table.at_tick(n + m).orientation()))
@@ -139,7 +139,7 @@ fn a_relaunch_goes_on_as_before() {
         };
         for n in [0, 12_345, 1 << 40] {
             let sample = table.at_tick(n);
-            let phi = State::from_attitude(&sample.attitude_state()).unwrap().orientation();
+            let phi = sample.state().unwrap().orientation();
             let error = phi.distance(&widened(sample.orientation()));
             assert!(error < 1e-3 && (phi.norm_squared() - 1.0).abs() < 1e-7, "{}: {error:e}", vector.name);
         }

@@ -59,7 +59,7 @@ impl Sliding {
         let below = one_minus_e1 + e4_minus_one;
         let above = one_plus_e1 + e4_minus_one; // e₄ ∓ e₁
         let lattice = Lattice::from_gaps(below, above);
-        let [across, up] = lattice.half_periods;
+        let [real_half, imaginary_half] = lattice.half_periods;
         let lowest = [zero, below, above];
         let upright = [one_minus_e1, e4_minus_one, e4 + one];
         let b = first_kind(one_minus_e1, upright, lowest).halved();
@@ -70,7 +70,7 @@ impl Sliding {
         let w_minus = -(time_scale * a_over_ps * l_per_a);
         // w₊₁ = i |w₊₁| at b = -i|b|
         let w_plus = (one_minus_e1 * a_over_ps).sqrt().doubled();
-        let middle = Complex::new(across, up);
+        let middle = Complex::new(real_half, imaginary_half);
         let slope = lattice.p_prime(real(to_minus_one) - middle).re;
         let a = real(if slope * w_minus < zero { -to_minus_one } else { to_minus_one });
 

@@ -33,7 +33,8 @@ pub fn agm<F: Float>(x: F, y: F) -> F {
     arithmetic
 }
 
-/// Carlson's R_F(x, y, z) = ½ ∫₀^∞ dt / √((t + x)(t + y)(t + z)), for x, y, z >= 0 of which at most one is 0.
+/// Carlson's R_F(x, y, z) = ½ ∫₀^∞ dt / √((t + x)(t + y)(t + z)), for x, y, z >= 0 of which at most one is 0; other arguments
+/// give an undefined number.
 ///
 /// Every elliptic integral of the first kind can be expressed by it. Relative error: a few roundings of the number
 /// type, also in extended precision. Cost: about 15 iterations of three square roots.

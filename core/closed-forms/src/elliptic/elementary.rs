@@ -110,8 +110,8 @@ pub(crate) fn angle(y: Extended, x: Extended) -> Extended {
     let guess = Extended::from(libm::atan2(y.to_f64(), x.to_f64()));
     let (sine, cosine) = sine_cosine(guess);
     let along = x * cosine + y * sine;
-    let across = y * cosine - x * sine;
-    if along > Extended::ZERO { guess + across / along } else { guess }
+    let normal = y * cosine - x * sine;
+    if along > Extended::ZERO { guess + normal / along } else { guess }
 }
 
 /// Complex number in extended precision, the number type of the closed forms.

@@ -49,21 +49,22 @@ impl Lattice {
     pub(crate) fn from_gaps(upper_gap: Extended, lower_gap: Extended) -> Self {
         let [whole, upper, lower] = [upper_gap + lower_gap, upper_gap, lower_gap].map(Float::sqrt);
         // ω = K(m)/√(e₁ - e₃) = π/2 / agm(√(e₁ - e₃), √(e₁ - e₂)), and |ω'| likewise with e₂ - e₃
-        let [across, up] = [upper, lower].map(|other| half_pi() / agm(whole, other));
+        let [real_half, imaginary_half] = [upper, lower].map(|other| half_pi() / agm(whole, other));
         let third = |x: Extended| x / 3.0.into();
         let roots = [
             third(upper_gap.doubled() + lower_gap),
             third(lower_gap - upper_gap),
             -third(upper_gap + lower_gap.doubled()),
         ];
-        let is_rotated = across > up;
-        let (width, height) = if is_rotated { (up, across) } else { (across, up) };
+        let is_rotated = real_half > imaginary_half;
+        let (width, height) =
+            if is_rotated { (imaginary_half, real_half) } else { (real_half, imaginary_half) };
         let ln_nome = -(half_pi().doubled() * height / width);
         let nome = exp(ln_nome);
         let size = half_pi() / width;
         let unit = if is_rotated { imaginary(size) } else { real(size) };
         let sigma_exponent = (unit * unit).re * eisenstein(nome) / 6.0.into();
-        let half_periods = [across, up];
+        let half_periods = [real_half, imaginary_half];
         let unscaled = Self {
             roots,
             half_periods,
@@ -81,12 +82,12 @@ impl Lattice {
 
     /// Quasi-periods ζ(ω) and ζ(ω')/i. The longer period has the term of Legendre's relation.
     pub(crate) fn quasi_periods(&self) -> [Extended; 2] {
-        let [across, up] = self.half_periods.map(|half| self.sigma_exponent.doubled() * half);
+        let [real_half, imaginary_half] = self.half_periods.map(|half| self.sigma_exponent.doubled() * half);
         let [omega, omega_prime] = self.half_periods;
         if self.is_rotated {
-            [across + half_pi() / omega_prime, up]
+            [real_half + half_pi() / omega_prime, imaginary_half]
         } else {
-            [across, up - half_pi() / omega]
+            [real_half, imaginary_half - half_pi() / omega]
         }
     }
 
@@ -114,10 +115,10 @@ impl Lattice {
 
     /// Argument minus the nearest period, and that period by numbers of 2ω and 2ω'.
     fn reduced(&self, z: WideComplex) -> (WideComplex, [f64; 2]) {
-        let [across, up] = self.half_periods.map(Ring::doubled);
-        let n = libm::round((z.re / across).to_f64());
-        let m = libm::round((z.im / up).to_f64());
-        (Complex::new(z.re - across * n.into(), z.im - up * m.into()), [n, m])
+        let [real_period, imaginary_period] = self.half_periods.map(Ring::doubled);
+        let n = libm::round((z.re / real_period).to_f64());
+        let m = libm::round((z.im / imaginary_period).to_f64());
+        (Complex::new(z.re - real_period * n.into(), z.im - imaginary_period * m.into()), [n, m])
     }
 
     /// Values of the theta functions, scaled to slope 1 of the first and value 1 of the others at 0.
@@ -157,11 +158,11 @@ impl Lattice {
         let (reduced, [n, m]) = self.reduced(z);
         let theta = self.theta(LatticeHalfPeriod::Origin, reduced);
         // ϑ₁(v + nπ + mπτ) = (-1)^{n+m} q^{-m²} e^{-2imv} ϑ₁(v)
-        let up = Extended::from(if self.is_rotated { n } else { m });
-        let rate = -(self.unit.times_i().scaled(up.doubled()));
+        let rows = Extended::from(if self.is_rotated { n } else { m });
+        let rate = -(self.unit.times_i().scaled(rows.doubled()));
         let sum = n + m;
         let odd = sum - 2.0 * libm::floor(0.5 * sum);
-        let constant = Complex::new(-(self.ln_nome * up.squared()), half_pi() * (2.0 * odd).into());
+        let constant = Complex::new(-(self.ln_nome * rows.squared()), half_pi() * (2.0 * odd).into());
         let [scale, ..] = self.scales;
         (
             theta.value * scale,

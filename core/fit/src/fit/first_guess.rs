@@ -120,7 +120,7 @@ impl Instant {
         let phi = aligned([fixed, body]);
         let [expected, found] =
             [second_fixed, phi.adjoint(second_body)].map(|x| add_scaled(x, fixed, -dot(x, fixed)));
-        let is_parallel = [expected, found].map(norm).into_iter().any(|across| across < 1e-3);
+        let is_parallel = [expected, found].map(norm).into_iter().any(|length| length < 1e-3);
         let angle = libm::atan2(dot(fixed, cross(found, expected)), dot(found, expected));
         (!is_parallel).then(|| Orientation::exp(scaled(fixed, angle)).compose(&phi))
     }
@@ -230,11 +230,11 @@ fn axial_rate_from_circle<F: Real>(
     let direction = |instant: &Instant| instant.directions.into_iter().flatten().next();
     let mismatch = |rate: f64| {
         let mut sum = F::ZERO;
-        let mut across = None;
+        let mut transverse = None;
         let mut known: Option<(f64, Vector<f64>, Vector<F>)> = None;
         for instant in instants.clone() {
-            across = instant.rate.map(|([x, y, _], _)| [x, y]).or(across);
-            if let (Some((time, _, body)), Some([x, y])) = (&mut known, across) {
+            transverse = instant.rate.map(|([x, y, _], _)| [x, y]).or(transverse);
+            if let (Some((time, _, body)), Some([x, y])) = (&mut known, transverse) {
                 let turn = scaled([x, y, rate], *time - instant.time);
                 (*time, *body) = (instant.time, Orientation::exp(cast(turn)).adjoint(*body));
             }

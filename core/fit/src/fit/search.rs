@@ -135,10 +135,10 @@ fn is_explained_upright<F: Real>(
 ) -> bool {
     let found = solver.best.estimate;
     let axis = found.orientation.axis();
-    let across = cross(found.omega, axis);
+    let transverse = cross(found.omega, axis);
     let [x, y, z] = axis;
     let near = UPRIGHT_SINE * UPRIGHT_SINE;
-    if x * x + y * y > near || dot(across, across) > near * dot(found.omega, found.omega) {
+    if x * x + y * y > near || dot(transverse, transverse) > near * dot(found.omega, found.omega) {
         return false;
     }
     let sign = libm::copysign(1.0, z);

@@ -50,8 +50,8 @@ pub(super) fn cross_vertical<F: Float>([x, y, _]: Vector<F>) -> Vector<F> {
     [y, -x, F::ZERO]
 }
 
-/// Part k - u r of the vertical across the axis.
-fn vertical_across<F: Float>(axis: Vector<F>) -> Vector<F> {
+/// Transverse part k - u r of the vertical.
+fn transverse_vertical<F: Float>(axis: Vector<F>) -> Vector<F> {
     let [.., u] = axis;
     add_scaled([F::ZERO, F::ZERO, F::ONE], axis, -u)
 }
@@ -64,37 +64,41 @@ impl<F: Float> Acceleration<F> {
     #[inline(always)] // where only the rate is used, the rest is not computed
     pub(crate) fn new(coefficients: &Coefficients<F>, state: &BodyState<F>) -> Self {
         let Coefficients { c_over_a, p_over_a, s, g, losses: [x1, x2, x3], .. } = *coefficients;
-        let BodyState { orientation, across, spin } = *state;
+        let BodyState { orientation, transverse, spin } = *state;
         let axis = orientation.axis();
         let n_over_a = coefficients.n_over_a(spin);
         let one = F::ONE;
-        let axis_rate = cross(across, axis);
+        let axis_rate = cross(transverse, axis);
         let q = cross_vertical(axis);
         let q_squared = dot(q, q);
         let axis_rate_q = dot(axis_rate, q);
         let axis_rate_cross_k = cross_vertical(axis_rate);
         let [.., u_rate] = axis_rate;
         let factor = one + p_over_a * s * q_squared;
-        let mut force = dot(across, axis_rate_cross_k) - n_over_a * axis_rate_q - p_over_a * g * q_squared;
+        let mut force =
+            dot(transverse, axis_rate_cross_k) - n_over_a * axis_rate_q - p_over_a * g * q_squared;
         if coefficients.are_lossy() {
             force = force - x2 * u_rate;
         }
         let u_acceleration = force / factor;
         let support = g + s * u_acceleration;
         let support_torque = p_over_a * support;
-        let mut across_rate = add_scaled(scaled(q, -support_torque), axis_rate, -n_over_a);
+        let mut transverse_rate = add_scaled(scaled(q, -support_torque), axis_rate, -n_over_a);
         let mut spin_rate = F::ZERO;
         if coefficients.are_lossy() {
             let [.., omega_k] = state.omega();
-            let lost = [(across, -x2), (vertical_across(axis), -(x3 * omega_k))];
-            (across_rate, spin_rate) = (add_all(across_rate, lost), -(x1 * spin));
+            let lost = [(transverse, -x2), (transverse_vertical(axis), -(x3 * omega_k))];
+            (transverse_rate, spin_rate) = (add_all(transverse_rate, lost), -(x1 * spin));
         }
-        let OrientationRate { alpha, beta } = AttitudeState::from_fixed(orientation, across).rate;
-        let rate =
-            BodyState { orientation: Orientation { alpha, beta }, across: across_rate, spin: spin_rate };
+        let OrientationRate { alpha, beta } = AttitudeState::from_fixed(orientation, transverse).rate;
+        let rate = BodyState {
+            orientation: Orientation { alpha, beta },
+            transverse: transverse_rate,
+            spin: spin_rate,
+        };
         // with dr' = dω × r, dq = r × dk, and d(n/A) = (C/A) ⟨dω, r⟩; the term ⟨S r, r' × k⟩ is -S ⟨r', q⟩
         let by_omega = [
-            (cross(axis, vertical_cross(across)), one),
+            (cross(axis, vertical_cross(transverse)), one),
             (axis, (one - c_over_a) * axis_rate_q),
             (cross(axis, q), -n_over_a),
             (q, -x2),
@@ -105,7 +109,7 @@ impl<F: Float> Acceleration<F> {
             (axis_rate, -x2),
         ];
         let by_omega = add_all(axis_rate_cross_k, by_omega);
-        let by_vertical = add_all(cross(across, axis_rate), by_vertical);
+        let by_vertical = add_all(cross(transverse, axis_rate), by_vertical);
         let state = *state;
         Self {
             state,
@@ -142,7 +146,7 @@ impl Equations<f64> {
     pub(crate) fn frequency(&self, state: &BodyState<f64>) -> f64 {
         let Coefficients { p_over_a, s, g, .. } = self.coefficients;
         let axis = state.orientation.axis();
-        let rate = cross(state.across, axis);
+        let rate = cross(state.transverse, axis);
         let [.., u_rate] = rate;
         let [.., u] = axis;
         let n_over_a = libm::fabs(self.coefficients.n_over_a(state.spin));
@@ -204,7 +208,7 @@ impl<F: Float> Equations<F> {
             (at.axis_rate, -d_n_over_a),
             (cross(eta, at.axis), -at.n_over_a),
         ];
-        let mut rate = add_all(cross(at.state.across, eta), terms);
+        let mut rate = add_all(cross(at.state.transverse, eta), terms);
         if self.coefficients.are_lossy() || change.is_some_and(Coefficients::are_lossy) {
             rate = add_scaled(rate, self.loss_change(at, tangent, change), -F::ONE);
         }
@@ -229,8 +233,8 @@ impl<F: Float> Equations<F> {
         let d_omega_k = eta_k + dot(omega, d_k);
         let terms = [
             (axis, (x1 - x2) * d_spin + d_x1 * at.state.spin),
-            (at.state.across, d_x2),
-            (vertical_across(axis), x3 * d_omega_k + d_x3 * omega_k),
+            (at.state.transverse, d_x2),
+            (transverse_vertical(axis), x3 * d_omega_k + d_x3 * omega_k),
             (add_scaled(d_k, axis, -dot(axis, d_k)), x3 * omega_k),
         ];
         add_all(scaled(eta, x2), terms)

@@ -20,12 +20,12 @@ impl Equations<f64> {
         let rate = cross(omega, axis);
         let [.., u] = axis;
         let [.., u_rate] = rate;
-        let beyond_sphere = (c_over_a - 1.0) * state.spin;
+        let axial_excess = (c_over_a - 1.0) * state.spin;
         let lift = p_over_a * s * u_rate;
-        let momentum = add_scaled(omega, axis, beyond_sphere + k_over_a);
+        let momentum = add_scaled(omega, axis, axial_excess + k_over_a);
         let vertical = add_scaled(UP, axis, (c_over_a - 1.0) * u);
         let energy = add_scaled(scaled(cross_vertical(rate), lift), q, p_over_a * g);
-        let kinetic = add_all(omega, [(axis, beyond_sphere), (q, lift)]);
+        let kinetic = add_all(omega, [(axis, axial_excess), (q, lift)]);
         [
             Tangent { theta: cross_vertical(momentum), eta: vertical },
             Tangent { theta: [0.0; 3], eta: axis },
@@ -34,14 +34,17 @@ impl Equations<f64> {
     }
 
     /// First integrals l/A, n/A and h/A.
-    pub(crate) fn integrals(&self, &BodyState { orientation, across, spin }: &BodyState<f64>) -> Vector<f64> {
+    pub(crate) fn integrals(
+        &self,
+        &BodyState { orientation, transverse, spin }: &BodyState<f64>,
+    ) -> Vector<f64> {
         let Coefficients { c_over_a, p_over_a, s, g, .. } = self.coefficients;
         let axis = orientation.axis();
         let [.., u] = axis;
-        let [.., vertical] = across;
-        let [.., u_rate] = cross(across, axis);
+        let [.., vertical] = transverse;
+        let [.., u_rate] = cross(transverse, axis);
         let n = self.coefficients.n_over_a(spin);
-        let square = dot(across, across) + c_over_a * spin * spin + p_over_a * s * u_rate * u_rate;
+        let square = dot(transverse, transverse) + c_over_a * spin * spin + p_over_a * s * u_rate * u_rate;
         [vertical + n * u, n, 0.5 * square + p_over_a * g * u]
     }
 }

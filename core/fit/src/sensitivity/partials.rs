@@ -76,7 +76,7 @@ impl<F: Float> Partials<F> {
     #[must_use]
     pub fn omega_body(&self) -> Vector<F> {
         // the axial part is larger than the rest, and keeps its digits
-        let [x, y, _] = self.in_body(self.state.across);
+        let [x, y, _] = self.in_body(self.state.transverse);
         [x, y, self.state.spin]
     }
 
@@ -169,9 +169,9 @@ impl<F: Float> Partials<F> {
         let one = F::ONE;
         let mut force = [F::ZERO, F::ZERO, at.support];
         if !is_central {
-            let BodyState { across, spin, .. } = at.rate;
-            let axial = [(cross(self.state.across, axis), self.state.spin), (axis, spin)];
-            let omega_rate = add_all(across, axial);
+            let BodyState { transverse, spin, .. } = at.rate;
+            let axial = [(cross(self.state.transverse, axis), self.state.spin), (axis, spin)];
+            let omega_rate = add_all(transverse, axial);
             force = add_all(force, [(cross(omega_rate, arm), one), (cross(omega, velocity), one)]);
         }
         let changes = self.map_columns(|tangent, change| {
@@ -204,7 +204,7 @@ impl<F: Real> Partials<F> {
     pub(crate) fn turn(&mut self, angle: Phase) {
         let turn = about_third_axis(angle);
         self.state.orientation = turn.compose(&self.state.orientation);
-        self.state.across = turn.adjoint(self.state.across);
+        self.state.transverse = turn.adjoint(self.state.transverse);
         for Tangent { theta, eta } in &mut self.tangents {
             (*theta, *eta) = (turn.adjoint(*theta), turn.adjoint(*eta));
         }

@@ -13,8 +13,8 @@ pub(crate) const COLUMNS: usize = 10;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BodyState<F> {
     pub(crate) orientation: Orientation<F>,
-    /// Part w = ω - S r of the angular velocity across the axis, which keeps its digits where S is much larger.
-    pub(crate) across: Vector<F>,
+    /// Transverse part w = ω - S r of the angular velocity, which keeps its digits where S is much larger.
+    pub(crate) transverse: Vector<F>,
     /// Axial component S = ⟨ω, r⟩ of the angular velocity, constant without losses.
     pub(crate) spin: F,
 }
@@ -32,21 +32,21 @@ impl<F: Float> BodyState<F> {
     pub(crate) fn new(orientation: Orientation<F>, omega: Vector<F>) -> Self {
         let axis = orientation.axis();
         let spin = dot(omega, axis);
-        Self { orientation, across: add_scaled(omega, axis, -spin), spin }
+        Self { orientation, transverse: add_scaled(omega, axis, -spin), spin }
     }
 
     /// State in another scalar.
     pub(crate) fn cast<G: Float>(&self) -> BodyState<G> {
         BodyState {
             orientation: cast_orientation(&self.orientation),
-            across: cast(self.across),
+            transverse: cast(self.transverse),
             spin: G::from_f64(self.spin.to_f64()),
         }
     }
 
     /// Angular velocity ω = w + S r.
     pub(crate) fn omega(&self) -> Vector<F> {
-        add_scaled(self.across, self.orientation.axis(), self.spin)
+        add_scaled(self.transverse, self.orientation.axis(), self.spin)
     }
 
     /// Adds f times a rate.
@@ -54,7 +54,7 @@ impl<F: Float> BodyState<F> {
         let Orientation { alpha, beta } = &mut self.orientation;
         *alpha = *alpha + rate.orientation.alpha.scaled(f);
         *beta = *beta + rate.orientation.beta.scaled(f);
-        self.across = add_scaled(self.across, rate.across, f);
+        self.transverse = add_scaled(self.transverse, rate.transverse, f);
         // 0 without losses; a comparison is faster than the arithmetic of `f64` by software
         if rate.spin != F::ZERO {
             self.spin = self.spin + f * rate.spin;

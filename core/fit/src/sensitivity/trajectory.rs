@@ -197,7 +197,7 @@ mod tests {
             for (found, truth) in found.orientation.matrix().into_iter().zip(truth.orientation.matrix()) {
                 off = off.max(apart(found, truth));
             }
-            off = off.max(apart(found.across, truth.across) / frequency);
+            off = off.max(apart(found.transverse, truth.transverse) / frequency);
             // the truth has changes along the fixed axes, where a change of Φ keeps ω
             let column = |theta: Vector<f64>, eta: Vector<f64>| {
                 let shares = [theta, eta].map(|x| launch.orientation.inverse().adjoint(x));

@@ -174,7 +174,7 @@ impl LowerBranchPoints {
         let n = integrals.n;
         let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
         let sine_squared = one_minus_u * one_plus_u;
-        let g0 = top.d(sine_squared) * udot.squared() / top.g.doubled();
+        let g0 = top.length_d(sine_squared) * udot.squared() / top.g.doubled();
         let g1 = -(u * axis_energy).doubled() - sine_squared
             + (energy_factor * n * point.l_minus_nu(integrals)).doubled();
         let g2 = u.doubled() - axis_energy - energy_factor * n.squared();
@@ -224,8 +224,8 @@ mod tests {
         assert_eq!(third_minus_one(n), Extended::ZERO);
         let least = Extended::from(1e-36);
         for (n, sign) in [(n + least, 1.0), (n - least, -1.0)] {
-            let beyond = third_minus_one(n) * scale / (n * least).doubled();
-            assert!((beyond.to_f64() - sign).abs() < 0.1, "{beyond:?}");
+            let excess = third_minus_one(n) * scale / (n * least).doubled();
+            assert!((excess.to_f64() - sign).abs() < 0.1, "{excess:?}");
         }
     }
 }

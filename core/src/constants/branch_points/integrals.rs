@@ -63,14 +63,14 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
     let FirstIntegrals { l, n, h, spin, .. } = *integrals;
     let axis_and_height = h - (c * spin.squared()).halved();
     if top.is_torque_free() {
-        let across = (a * axis_and_height).doubled();
-        let square = across + n.squared();
+        let transverse = (a * axis_and_height).doubled();
+        let square = transverse + n.squared();
         let horizontal = square - l.squared();
         let least = -(a * h.abs() + n.squared() + l.squared()) * noise;
-        if across < least || horizontal < least || square <= zero {
+        if transverse < least || horizontal < least || square <= zero {
             return None;
         }
-        let udot = (horizontal.larger_or_nan(zero) * across.larger_or_nan(zero) / square).sqrt() / a;
+        let udot = (horizontal.larger_or_nan(zero) * transverse.larger_or_nan(zero) / square).sqrt() / a;
         return Some(point(l * n / square, udot, axis_and_height));
     }
     // f(u) = u³ - b u² + c₁ u + c₀
@@ -97,6 +97,6 @@ fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> O
         -one
     };
     let found = point(u, zero, (energy - u).larger_or_nan(zero));
-    let d = top.d(found.one_minus_u * found.one_plus_u);
+    let d = top.length_d(found.one_minus_u * found.one_plus_u);
     Some(ReducedPoint { udot: (g.doubled() * peak.larger_or_nan(zero) / d).sqrt(), ..found })
 }

@@ -10,7 +10,7 @@
 //! e₄ < e₃:    dt/dv = √(2/(g f(e₁) d₊(e₂))) d₋ d₊/√(e₃ - u),    χ' = √(g d₊(e₁)/(2 f(e₁))) √(e₃ - u)/(d₊ dn v)
 //! ```
 //!
-//! v runs from 0 at u = e₁ to K at u = e₂. All singularities have the imaginary part K', so that K/K' tells the number of nodes.
+//! v runs from 0 at u = e₁ to K at u = e₂. All singularities have the imaginary part K', so that the number of nodes grows as K/K'.
 
 use super::landen::JacobiFractions;
 use crate::motion::phase_equations::PhaseEquations;
@@ -46,14 +46,14 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         // e₄ - 1 < e₃ - 1, times s
         let e4_is_nearer = root_s * d_plus_at_minus_one < equations.s_times_e3_minus_one;
         // f at e₁ and e₂, and d₊ at the lesser of e₃ and e₄ in the unit of f
-        let (f_at_e1, f_at_e2, beyond);
+        let (f_at_e1, f_at_e2, d_at_nearest);
         if e4_is_nearer {
             f_at_e2 = d_plus_at_minus_one + root_s * equations.one_minus_e2;
             f_at_e1 = f_at_e2 + root_s * e2_minus_e1;
-            beyond = (d_plus_at_minus_one + root_s).doubled() * root_s;
+            d_at_nearest = (d_plus_at_minus_one + root_s).doubled() * root_s;
         } else {
             (f_at_e1, f_at_e2) = (e3_minus_e2 + e2_minus_e1, e3_minus_e2);
-            beyond = at_e2 + root_s * e3_minus_e2;
+            d_at_nearest = at_e2 + root_s * e3_minus_e2;
         }
         let ratio = if e4_is_nearer { at_e1 / f_at_e1 } else { f_at_e1 / at_e1 };
         let rate = (half_g * ratio).sqrt();
@@ -66,7 +66,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
             d_plus: [at_e1, at_e2],
             e4_is_nearer,
             chi_factors: [equations.alpha_chi_time * rate, equations.beta_chi_time * rate],
-            parameters: [e2_minus_e1 * beyond * inverse_whole, f_at_e2 * at_e1 * inverse_whole],
+            parameters: [e2_minus_e1 * d_at_nearest * inverse_whole, f_at_e2 * at_e1 * inverse_whole],
             factors: [factor, equations.alpha_rate_factor * factor, equations.beta_rate_factor * factor],
         }
     }

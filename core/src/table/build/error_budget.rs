@@ -11,7 +11,7 @@ const TERMS_FRACTION: f32 = 1.0 / 256.0;
 /// Share of a segment of two cells in that of a segment.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
-/// Greatest last term of a rate at x = 1 over the error for dropped terms, on a step of one half period. The integral divides the term by 192.
+/// Greatest last term of a rate at x = 1 over the error for dropped terms, on a step of one half period: integration divides the term by 192.
 const NEGLIGIBLE_TERM: f64 = 512.0;
 
 /// Allowed errors of the parts of a table.

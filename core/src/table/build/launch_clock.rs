@@ -69,7 +69,7 @@ impl<R: TableScalar> Table<R> {
         let nutation = nutation.leading_bits();
         let clock = &self.clock;
         let quarter_turn = Phase::QUARTER * i64::from(clock.tip_start_quarter_turns);
-        // the mean is known up to whole turns; up to half turns where the curve passes through the centre and the radius has a sign
+        // whole turns, or half turns of a curve through the centre, such that φ begins in (-1/2, 1/2] turn
         let mean = alpha + beta + if is_falling(nutation) { -quarter_turn } else { quarter_turn };
         let off = motion.tip_angle_at_start() - mean - self.tabulated_tip_angle(nutation, pause);
         let remainder = if clock.tip_sign_changes > 0 {

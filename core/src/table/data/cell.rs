@@ -29,7 +29,7 @@ impl Cell {
     const DEPTH_BITS: u32 = 4;
     /// Largest number of segments of a table.
     pub(crate) const MAX_SEGMENTS: usize = 1 << (u16::BITS - Self::DEPTH_BITS);
-    /// Greatest depth; one cell could then contain all segments.
+    /// Greatest depth: 4096 segments in one cell.
     pub(crate) const MAX_DEPTH: u32 = (CELLS * Self::MAX_SEGMENTS).ilog2();
 
     /// Cell in which segment `index` of half a period at this depth is `number` of the table.

@@ -9,7 +9,7 @@
 pub struct ErrorBound {
     /// Error at the launch, rad (rad/s for rates).
     pub constant: f64,
-    /// Growth of the error per tick.
+    /// Growth of the error per tick, rad (rad/s for rates).
     pub per_tick: f64,
 }
 

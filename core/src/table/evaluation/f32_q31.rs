@@ -103,7 +103,7 @@ impl Coefficient for i32 {
         rounded(value, power).clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }
 
-    fn product_error(polynomial: &[i64]) -> f32 {
+    fn short_product_error(polynomial: &[i64]) -> f32 {
         let Some(bound) = short_product_bound(polynomial, rounded) else { return f32::INFINITY };
         // from units of 2^-30, times the truncation of x to 2^-15
         let error = bound as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
@@ -174,7 +174,7 @@ mod tests {
     fn what_16_bit_products_lose() {
         let near =
             |found: f64, expected: f64| assert!((found - expected).abs() < 2e-13, "{found:e} {expected:e}");
-        let error = |values| TABLE_UNIT * f64::from(i32::product_error(&polynomial_q62(values)));
+        let error = |values| TABLE_UNIT * f64::from(i32::short_product_error(&polynomial_q62(values)));
         let accepted = TABLE_UNIT * f64::from(ACCEPTED_ERROR);
         // in range, but the short products are not accurate enough
         near(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]), 0.04 / 32768.0 - accepted);

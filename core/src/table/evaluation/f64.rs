@@ -51,7 +51,7 @@ impl Coefficient for f64 {
         value as f64 * TABLE_UNIT
     }
 
-    fn product_error(_: &[i64]) -> f32 {
+    fn short_product_error(_: &[i64]) -> f32 {
         0.0
     }
 

@@ -57,7 +57,7 @@ impl Coefficient for i16 {
         rounded(value, power).clamp(i16::MIN.into(), i16::MAX.into()) as i16
     }
 
-    fn product_error(polynomial: &[i64]) -> f32 {
+    fn short_product_error(polynomial: &[i64]) -> f32 {
         let in_sums = |value, power| rounded(value, power) << 16;
         short_product_bound(polynomial, in_sums).map_or(f32::INFINITY, |_| 0.0)
     }
@@ -119,11 +119,11 @@ mod tests {
 
     #[test]
     fn sums_stay_below_their_powers() {
-        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.4999, 0.0])), 0.0);
-        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.5001, 0.0])), f32::INFINITY);
-        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.2, -0.2501, 0.0])), f32::INFINITY);
+        assert_eq!(i16::short_product_error(&polynomial_q62([0.9, 0.4999, 0.0])), 0.0);
+        assert_eq!(i16::short_product_error(&polynomial_q62([0.9, 0.5001, 0.0])), f32::INFINITY);
+        assert_eq!(i16::short_product_error(&polynomial_q62([0.9, 0.2, -0.2501, 0.0])), f32::INFINITY);
         // of the second sum, half of the first is 0.375
-        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.33, 0.1875, 0.0])), f32::INFINITY);
-        assert_eq!(i16::product_error(&polynomial_q62([0.9, 0.31, 0.1875, 0.0])), 0.0);
+        assert_eq!(i16::short_product_error(&polynomial_q62([0.9, 0.33, 0.1875, 0.0])), f32::INFINITY);
+        assert_eq!(i16::short_product_error(&polynomial_q62([0.9, 0.31, 0.1875, 0.0])), 0.0);
     }
 }

@@ -1,5 +1,6 @@
 //! Sample of a motion: three phases, from which every quantity is computed when it is asked for.
 
+use crate::body::{ParameterError, State};
 use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::scalar::Float;
@@ -129,11 +130,19 @@ impl<R: TableScalar> Sample<'_, R> {
         Complex::new(x, y).scaled(-self.table.clock.twice_tip_scale.halved())
     }
 
-    /// Orientation and its rate, from which ω, u' and a [`State`](crate::State) follow.
+    /// Orientation and its rate, from which ω and u' follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.unrounded_and_omega_body();
         AttitudeState::from_body(numbers.map(|part| part.to_quantity(0)), omega_body)
+    }
+
+    /// State, from which another motion can be launched.
+    ///
+    /// # Errors
+    /// The errors of [`State::from_attitude`]: the sample of a baked table can have any numbers.
+    pub fn state(&self) -> Result<State, ParameterError> {
+        State::from_attitude(&self.attitude_state())
     }
 
     #[inline(always)]

@@ -24,7 +24,7 @@ pub(super) fn store_polynomial<R: TableScalar>(
                 *stored = R::Coefficient::nearest(value, power);
             }
         }
-        greatest = greatest.larger_or_nan(R::Coefficient::product_error(coefficients));
+        greatest = greatest.larger_or_nan(R::Coefficient::short_product_error(coefficients));
     }
     // the norm of four parts is twice as large, and the orientation error is twice the norm
     4.0 * TABLE_UNIT as f32 * greatest
@@ -79,7 +79,7 @@ pub(super) fn store_segment<R: TableScalar>(
 ) -> SegmentBounds {
     let PathScratch { polynomials, segment: polynomial, .. } = &mut *path.scratch;
     let halvings = segment.depth - span.depth;
-    let mut product_error = 0.0_f32;
+    let mut short_product_error = 0.0_f32;
     let mut truncation_squared = 0.0;
     let mut slope_squared = 0.0;
     for (index, whole) in polynomials.iter().enumerate() {
@@ -92,7 +92,7 @@ pub(super) fn store_segment<R: TableScalar>(
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
-        product_error = product_error.larger_or_nan(store_polynomial::<R>(
+        short_product_error = short_product_error.larger_or_nan(store_polynomial::<R>(
             stored_segment.as_deref_mut(),
             index,
             polynomial,
@@ -102,7 +102,7 @@ pub(super) fn store_segment<R: TableScalar>(
     // x is 2 longer at the end of a segment
     let x_per_half_period = (2_u32 << segment.depth) as f32;
     SegmentBounds {
-        error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + product_error,
+        error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + short_product_error,
         angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_per_half_period,
         residual_rate: path.residual_rate(span),
         x_per_half_period,

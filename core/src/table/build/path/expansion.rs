@@ -58,7 +58,7 @@ impl RateSeries {
     }
 
     /// Magnitude of the k-th coefficient; 0 where it is a rounding error.
-    fn term(&self, k: usize, factor: f32) -> f32 {
+    fn term_size(&self, k: usize, factor: f32) -> f32 {
         let size = self.variation.coefficient(k).abs();
         match k {
             0 => (factor * self.at_origin as f32).abs(),
@@ -147,7 +147,7 @@ impl Expansion {
     pub(super) fn may_double(&self) -> bool {
         /// Greatest ratio |c₁/c₀| of the coefficients of dχ/dy. Over twice the distance it is 2.5, below the 4 that a coefficient may grow.
         const MAX_CHANGE: f32 = 1.25;
-        self.chi.term(1, 1.0) <= MAX_CHANGE * self.chi.term(0, 1.0)
+        self.chi.term_size(1, 1.0) <= MAX_CHANGE * self.chi.term_size(0, 1.0)
     }
 
     /// Rounding error of the phases at x = 1, rad.
@@ -173,8 +173,8 @@ impl Expansion {
     pub(super) fn truncation_error(&self) -> f64 {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
         let term = |k: usize| {
-            let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term(k, 1.0));
-            self.chi.term(k, self.chi_error_factor).larger_or_nan(alpha.larger_or_nan(beta))
+            let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term_size(k, 1.0));
+            self.chi.term_size(k, self.chi_error_factor).larger_or_nan(alpha.larger_or_nan(beta))
         };
         let last =
             term(before).larger_or_nan(0.25 * term(before + 1)) * power_of_two(-2 * before as i32) as f32;

@@ -17,7 +17,7 @@ pub(crate) struct LaunchPhases {
 }
 
 impl LaunchPhases {
-    /// Begin of the search for the launch of a motion. Those of a steady motion are its phases already.
+    /// Search for the launch of a motion. The phases of a steady one are final.
     pub(crate) fn new(motion: &Motion) -> Self {
         let (half_turns, remainder) = motion.half_phase.unwrap_or_default().split_half_turns();
         let is_falling = remainder > Phase::QUARTER;

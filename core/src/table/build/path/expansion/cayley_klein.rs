@@ -148,8 +148,9 @@ mod tests {
                 };
                 let (sine, cosine) = f64::sine_cosine(phases.chi);
                 let rates = exact.rates(sine.into(), cosine.into());
-                let beyond = rounded.rates(sine, cosine);
-                let size = [beyond.chi, beyond.psi_alpha, beyond.psi_beta].into_iter().map(f64::abs);
+                let rates_there = rounded.rates(sine, cosine);
+                let size =
+                    [rates_there.chi, rates_there.psi_alpha, rates_there.psi_beta].into_iter().map(f64::abs);
                 let unit = 0.02 * spread.sqrt().min(1.0) / size.fold(0.0, f64::max).max(1.0);
                 let [chi, alpha, beta] =
                     [rates.chi, rates.psi_alpha, rates.psi_beta].map(|rate| (rate * unit.into()).to_f64());
