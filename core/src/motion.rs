@@ -75,7 +75,7 @@ impl Motion {
         self.signs
     }
 
-    /// Nutation period, and the advances over it. That of an infinitesimal nutation for a steady motion. `None` if e₂ = e₃, and
+    /// Nutation period, and the advances over it. A steady motion has those of an infinitesimal nutation. `None` if e₂ = e₃, and
     /// for a body without torque and angular momentum.
     ///
     /// Cost: one integration.
