@@ -51,6 +51,7 @@ pub mod internal {
     pub use crate::scalar::sine::{
         COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE, rotate_quarter_turns,
     };
+    pub use crate::table::{MAX_SEGMENTS, MIN_SEGMENTS};
 
     use crate::motion::phase_equations::PhaseEquations;
     use crate::scalar::Extended;

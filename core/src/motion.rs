@@ -20,9 +20,10 @@ use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, normal_force};
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
-use crate::motion::phase_equations::PhaseEquations;
+use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring, Wide};
+use crate::su2::AttitudeState;
 
 /// Motion of one launch.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -121,11 +122,28 @@ impl Motion {
         self.ellipses.tip_angle(self.cis_chi(), self.slow_phases)
     }
 
+    /// Orientation and its rate at t = 0.
+    pub fn attitude_at_launch(&self) -> AttitudeState<f64> {
+        let cis_chi = self.cis_chi();
+        let PhaseRates { chi, psi_alpha, psi_beta } = if self.is_steady() {
+            PhaseRates::ZERO
+        } else {
+            self.equations().map(Float::to_f64).rates(cis_chi.im, cis_chi.re)
+        };
+        let [alpha, beta] = self.constant_rates().map(Float::to_f64);
+        self.ellipses.attitude_state(cis_chi, self.slow_phases, [chi, psi_alpha + alpha, psi_beta + beta])
+    }
+
     /// Least normal force over the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
             if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, self.top.a_over_ps()) }
         })
+    }
+
+    /// Constant parts of the rates of the slow phases, rad/s: ±τ/2, or the whole rates of a steady motion.
+    pub(crate) fn constant_rates(&self) -> [Extended; 2] {
+        if self.is_steady() { self.steady_rates() } else { [self.half_tau, -self.half_tau] }
     }
 
     /// Rates ((l ± n)/(A (1 ± u)) ± τ)/2 of the slow phases of a steady motion, rad/s; 0 for a parameter that is 0.

@@ -45,8 +45,6 @@ impl<R: Real> Stepper<R> {
     /// Stepper at t = 0. Its constants are rounded once from extended precision to `R`.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
-        let rates =
-            if motion.is_steady() { motion.steady_rates() } else { [motion.half_tau, -motion.half_tau] };
         let top = motion.top();
         let integrals = motion.first_integrals();
         let per_a = 0.25 / top.transverse_inertia();
@@ -59,7 +57,9 @@ impl<R: Real> Stepper<R> {
                 (None, None) => Variable::None,
             },
             slow_phases: motion.slow_phases,
-            constant_rates: rates.map(|rate| (rate.radians_to_turns(), R::from_extended(rate))),
+            constant_rates: motion
+                .constant_rates()
+                .map(|rate| (rate.radians_to_turns(), R::from_extended(rate))),
             tip_scale: R::from_f64(top.tip_scale()),
             momentum_rates: [integrals.l_plus_n, integrals.l_minus_n]
                 .map(|momentum| R::from_f64(momentum * per_a)),
@@ -120,9 +120,7 @@ impl<R: Real> Stepper<R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R> {
         let cis_chi = self.cis_chi();
-        let cis_lambda = self.slow_phases.map(Complex::cis);
-        let rate = self.ellipses.rate(cis_chi, cis_lambda, self.rates(cis_chi));
-        AttitudeState { orientation: self.ellipses.orientation(cis_chi, cis_lambda), rate }
+        self.ellipses.attitude_state(cis_chi, self.slow_phases, self.rates(cis_chi))
     }
 
     /// Tip position c = 2 s αβ, m, from the point below the centre of mass; 2αβ for a fixed tip.

@@ -1,7 +1,7 @@
 //! Table of a motion: short polynomials and three integer phases.
 //!
-//! Set-up (`build`) writes the table (`data`). A tick finds its segment (`read`) and evaluates it (`evaluation`). Every tick has the same cost but for the tip angle, and
-//! the error grows only by the rounding of the rates.
+//! Set-up (`build`) writes the table (`data`). A tick finds its segment (`read`) and evaluates it (`evaluation`). Every tick costs the same,
+//! except its tip angle. The error grows only with the rounding of the rates.
 
 mod evaluation;
 

@@ -14,6 +14,7 @@ mod motion {
     mod conditioning;
     mod conservation;
     mod each_stage;
+    mod impulse;
     #[cfg(feature = "host")]
     mod lagrangian;
     mod normal_force;
@@ -25,21 +26,16 @@ mod motion {
     mod vertical;
 }
 
-/// Tables: accuracy in every scalar, their clock, their memory.
+/// Tables: accuracy in every scalar, their clock, their events, their memory.
 mod table {
     mod baked;
     mod clock;
+    mod event_times;
     mod rates;
     mod samples;
     mod set_up;
     mod tip_angle;
     mod truth;
-}
-
-/// Events of a motion, and impulses.
-mod events {
-    mod impulse;
-    mod instants;
 }
 
 /// Sections 3 to 5 of the paper: curves, integrals and closed forms.

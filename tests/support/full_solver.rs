@@ -1,6 +1,6 @@
 //! Full solver, with the initial state of a motion of core.
 
-use toytop::{Motion, State, Stepper};
+use toytop::{Motion, State};
 use toytop_host::truth::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 
 /// Full solver of a motion; only the state at t = 0 is taken from core.
@@ -8,7 +8,7 @@ use toytop_host::truth::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullSta
 /// # Panics
 /// If the state is beyond the allowed range.
 pub fn solver(motion: &Motion) -> FullSolver {
-    let state = State::from_attitude(&Stepper::<f64>::new(motion).attitude_state()).unwrap();
+    let state = State::from_attitude(&motion.attitude_at_launch()).unwrap();
     let state = FullState::new(&state.orientation(), state.omega());
     FullSolver::new(motion.top(), state, FULL_SOLVER_TOLERANCE).unwrap()
 }

@@ -41,11 +41,11 @@ pub const AGAINST_MPMATH_FORMULAS: f64 = 3e-15;
 pub const AGAINST_MPMATH_SEVERAL_DIFFERENCES_SMALL_TOGETHER: f64 = 1e-15;
 pub const AGAINST_MPMATH_PER_PERIOD: f64 = 5e-14;
 
-// events/impulse.rs
+// motion/impulse.rs
 pub const IMPULSE_BALANCES: [f64; 2] = [1e-13, 5e-15];
 pub const IMPULSE_WITHOUT_EFFECT: f64 = 2e-15;
 
-// events/instants.rs
+// table/event_times.rs
 pub const EVENTS_F64: [f64; 3] = [6e-15, 6e-15, 2e-16];
 pub const EVENTS_F32: [f64; 3] = [3e-7, 3e-7, 2e-11];
 pub const EVENTS_Q31: [f64; 3] = [2.1e-8, 2.1e-8, 1e-12];

@@ -1,6 +1,6 @@
 /* toytop: the exact motion of a spinning top, in C99 and C++11 or later. Written by cbindgen; do not edit.
  *
- * No function allocates memory or stores anything between calls: all memory belongs to the caller. A function returns TOYTOP_OK, or the
+ * No function allocates memory: all memory belongs to the caller, except a count of set-ups. A function returns TOYTOP_OK, or the
  * reason why it did nothing. Units are SI or any consistent ones. The third fixed axis points up, the third body axis from the tip to the
  * centre of mass. Results of type int32_t are in units of 2^-30.
  *
@@ -293,8 +293,8 @@ typedef struct toytop_error_bounds {
 
 // Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 //
-// A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses the
-// cursor, except by a coincidence of 32 bits.
+// A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses it, and so does its own table
+// until 65 536 set-ups later.
 typedef struct toytop_cursor {
   uint64_t opaque[8];
 } toytop_cursor;

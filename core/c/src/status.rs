@@ -55,7 +55,7 @@ const TEXTS: [&CStr; 9] = [
     c"a parameter is out of its allowed range",
     c"table: must have more segments for this motion",
     c"table or workspace: must be aligned to 8 bytes, and a table must hold at least 8 segments",
-    c"table, motion, cursor or sample: must be made first",
+    c"table, motion, cursor, sample or events: must be made first, after the last set-up of the table",
     c"the motion has no such event, angle or derivative",
     c"an aperiodic motion has no table",
 ];

@@ -5,6 +5,7 @@ use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
 use core::sync::atomic::{AtomicU16, Ordering::Relaxed};
 use toytop::fixed::types::I2F30;
+use toytop::internal::{MAX_SEGMENTS, MIN_SEGMENTS};
 use toytop::{SizedTable, Table, TableMemory, TableScalar};
 
 /// Bytes of a table in `f32` of the standard size, 25 segments.
@@ -60,14 +61,9 @@ static SET_UPS: AtomicU16 = AtomicU16::new(0);
 pub(crate) struct CheckedTable<'a, R: TableScalar> {
     pub(crate) table: &'a Table<R>,
     pub(crate) address: *const u8,
-    /// Sum of scalar, generation and address, which a cursor and a sample of this table carry.
+    /// Mixture of scalar, generation and address, which a cursor and a sample of this table carry.
     pub(crate) identity: u32,
 }
-
-/// Least number of segments of a table.
-const MIN_SEGMENTS: usize = 8;
-/// Greatest number of segments that a table can use.
-const MAX_SEGMENTS: usize = 4096;
 
 /// Memory of the smallest table.
 type SmallestMemory<R> = TableMemory<SizedTable<R, MIN_SEGMENTS>>;
@@ -127,7 +123,8 @@ pub(crate) unsafe fn table_at<'a, R: TableScalar>(
     // SAFETY: the caller guarantees valid memory; `empty_table` wrote as many segments as it says.
     let memory = unsafe { &*table_after::<R>(head, segments.into()) };
     let table = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
-    let identity = (tag << 16 | u32::from(generation)).wrapping_add(address.addr() as u32);
+    // by an odd factor, so that tables beside each other differ at any counts
+    let identity = (tag << 16 | u32::from(generation)) ^ (address.addr() as u32).wrapping_mul(0x9e37_79b1);
     Ok(CheckedTable { table, address, identity })
 }
 

@@ -15,7 +15,8 @@ mod constants;
 mod sliding;
 
 use crate::elliptic::elementary::{ValueAndSlope, rounded};
-use crate::orientation::{ArgumentOffsets, solve_increasing};
+use crate::inverse::solve_increasing;
+use crate::orientation::ArgumentOffsets;
 use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
 use toytop::internal::{aperiodic_v, branch_points, first_integrals, top_constants};

@@ -15,7 +15,8 @@
 use crate::elliptic::carlson_rf;
 use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
-use crate::orientation::{ArgumentOffsets, Periods, solve_increasing};
+use crate::inverse::solve_increasing;
+use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, zeros};
 use toytop::internal::{branch_points, first_integrals, half_phase, top_constants};
 use toytop::scalar::{Extended, Float, Ring};

@@ -12,7 +12,7 @@
 use toytop::internal::{half_phase, half_tau, phase_equations, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, add_scaled, dot, scaled};
-use toytop::{AttitudeState, Complex, Motion, Phase, Stepper};
+use toytop::{AttitudeState, Complex, Motion, Phase};
 
 /// Motion of a body without torque as a function of time: a free body, or a top with a fixed tip and g = 0.
 ///
@@ -37,7 +37,7 @@ impl FreeBody {
             return None;
         }
         let [a, c, .., k] = top_constants(motion.top()).map(Float::to_f64);
-        let attitude = Stepper::<f64>::new(motion).attitude_state();
+        let attitude = motion.attitude_at_launch();
         let r = attitude.orientation.axis();
         let omega = attitude.omega();
         let excess_momentum = (c - a) * dot(omega, r) + k;

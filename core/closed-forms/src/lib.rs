@@ -7,6 +7,8 @@ pub mod elliptic;
 // Parts of the solutions.
 mod theta_quotient;
 
+mod inverse;
+
 mod orientation;
 
 // Solutions, one for each kind of motion that has one.

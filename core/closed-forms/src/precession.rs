@@ -13,7 +13,7 @@
 use toytop::internal::{branch_points, check, check_finite, first_integrals, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
-use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Stepper, Top};
+use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Top};
 
 /// Motion at constant tilt as a function of time.
 ///
@@ -91,7 +91,7 @@ impl RegularPrecession {
             regime,
             rates,
             stability,
-            start: Stepper::<f64>::new(motion).orientation(),
+            start: motion.attitude_at_launch().orientation,
             argument_rates,
         })
     }

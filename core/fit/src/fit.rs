@@ -15,6 +15,8 @@ mod solver;
 
 mod first_guess;
 
+mod diagnosis;
+
 mod search;
 
 mod fitted;
@@ -24,10 +26,11 @@ use crate::model::{Model, Prior};
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::{Measurement, Sensor};
 use crate::vector::{Vector, norm, rotation_vector};
+use diagnosis::warning;
 pub use error::{FitError, FitWarning};
 pub use fitted::{Drift, Fitted, Unobservable};
 use problem::Problem;
-use search::{misfit_cause, search, settle_on_all, warning};
+use search::{misfit_cause, search, settle_on_all};
 use solver::{CONVERGED_SIGMA, Solver};
 pub use statistics::Statistics;
 use toytop::Top;
@@ -139,18 +142,19 @@ impl<'a, F: Real> Fit<'a, F> {
 
     /// Fits the next block of measurements from the fit of the last one, carried to it with its covariance.
     ///
-    /// * `loss`: standard deviation of the relative change of ω per unit time: 1/60 /s for a spin that stops in a minute
+    /// * `drift_deviation`: uncertainty that is added to ω between blocks, as a part of |ω| per unit time: 1/60 /s for a spin that may stop in
+    ///   a minute
     ///
     /// # Errors
     /// The errors of [`Fit::run`]. [`FitError::OutOfOrder`]: the block is earlier than the last fit. [`FitError::LastFit`]: the motion of the last fit
-    /// cannot be followed to the block. [`FitError::LossDeviation`]: the loss is negative or not finite.
+    /// cannot be followed to the block. [`FitError::LossDeviation`]: the deviation is negative or not finite.
     pub fn track(
         &mut self,
         last: &Fitted,
-        loss: f64,
+        drift_deviation: f64,
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Tracked, FitError> {
-        if !(loss.is_finite() && loss >= 0.0) {
+        if !(drift_deviation.is_finite() && drift_deviation >= 0.0) {
             return Err(FitError::LossDeviation);
         }
         let Self { sensors, model, huber, solver } = self;
@@ -163,7 +167,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let (predicted, at) = model.predicted(&last.launch, span).ok_or(FitError::LastFit)?;
         let mut covariance = last.covariance;
         covariance.propagate(&at.tangents);
-        let noise = loss * norm(predicted.omega) * span;
+        let noise = drift_deviation * norm(predicted.omega) * span;
         for index in 0..LAUNCH_COLUMNS {
             let noise = if index < 3 { 0.5 * span * noise } else { noise };
             covariance.add_variance(index, noise * noise);

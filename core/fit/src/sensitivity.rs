@@ -26,7 +26,7 @@ pub use partials::Partials;
 pub(crate) use state::{BodyState, COLUMNS, LAUNCH_COLUMNS, Tangent};
 use toytop::internal::period_and_rotations;
 use toytop::scalar::{Extended, Float};
-use toytop::{Motion, Orientation, Phase, Stepper};
+use toytop::{Motion, Orientation, Phase};
 pub(crate) use trajectory::Trajectory;
 
 /// Longest step, in rad of the highest frequency, for an error of about 1e-12.
@@ -88,7 +88,7 @@ impl Sensitivity {
 
     /// Sensitivity of a motion whose last four columns are the changes of these equations.
     pub(crate) fn with_equations(motion: &Motion, equations: &Equations<f64>, longest_step: f64) -> Self {
-        let attitude = Stepper::<f64>::new(motion).attitude_state();
+        let attitude = motion.attitude_at_launch();
         let launch = BodyState::new(attitude.orientation, attitude.omega());
         let launched = Self::without_period(equations, &launch, longest_step);
         let start = launched.start;

@@ -4,7 +4,7 @@ use super::{ParameterError, check_finite, check_range};
 
 /// Parameters of a top, in SI or other consistent units.
 ///
-/// Both moments of inertia are required: they default to NaN, which is refused. A mass, mass moment or height of 0 counts as not given.
+/// Both moments of inertia are required: they default to NaN, which is refused. 0 means not given for `mass`, `mass_moment` and `com_height`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct TopParameters {

@@ -4,7 +4,7 @@ use crate::complex::Complex;
 use crate::constants::{BranchPoints, Signs};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real, Ring, numeric_struct};
-use crate::su2::{Orientation, OrientationRate};
+use crate::su2::{AttitudeState, Orientation, OrientationRate};
 
 /// Ellipses of α and β: each parameter is (x cos χ + i y sin χ) e^{iλ}, with its slow phase λ. For α, x² = (1+e₁)/2 and y² = (1+e₂)/2; for β,
 /// x² = (1-e₁)/2 and y² = (1-e₂)/2. They make |α|² + |β|² = 1 for all phases.
@@ -78,17 +78,19 @@ impl<R: Real> Ellipses<R> {
         Orientation { alpha: self.alpha.at(cis_chi) * cis_alpha, beta: self.beta.at(cis_chi) * cis_beta }
     }
 
-    /// Rate Φ', from e^{iλ_α} and e^{iλ_β} and the rates of χ, λ_α and λ_β, rad/s.
-    pub(crate) fn rate(
+    /// Orientation and its rate, from the slow phases and the rates of χ, λ_α and λ_β, rad/s.
+    pub(crate) fn attitude_state(
         &self,
         cis_chi: Complex<R>,
-        [cis_alpha, cis_beta]: [Complex<R>; 2],
+        slow_phases: [Phase; 2],
         [chi, lambda_alpha, lambda_beta]: [R; 3],
-    ) -> OrientationRate<R> {
-        OrientationRate {
+    ) -> AttitudeState<R> {
+        let cis_lambda @ [cis_alpha, cis_beta] = slow_phases.map(Complex::cis);
+        let rate = OrientationRate {
             alpha: self.alpha.rate(cis_chi, [chi, lambda_alpha]) * cis_alpha,
             beta: self.beta.rate(cis_chi, [chi, lambda_beta]) * cis_beta,
-        }
+        };
+        AttitudeState { orientation: self.orientation(cis_chi, cis_lambda), rate }
     }
 }
 

@@ -3,7 +3,8 @@
 //! ```text
 //! set_up.rs            motion, settings, memory   -> table
 //!   error_budget.rs      allowed error              -> allowed errors of its parts
-//!   half_period.rs       motion, period             -> cells and segments, mean rates of the phases
+//!   mean_rates.rs        motion, period             -> mean rates of the phases
+//!   half_period.rs       mean rates                 -> cells and segments
 //!     path.rs              next span                  -> power series of the phases, polynomials of a and b
 //!     half_period/*        polynomials on a segment   -> stored coefficients, bounds on errors and speeds
 //!   launch_clock.rs      mean rates, launch phases  -> clock
@@ -17,6 +18,8 @@
 mod error_budget;
 
 mod interval;
+
+mod mean_rates;
 
 mod path;
 

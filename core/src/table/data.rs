@@ -17,6 +17,7 @@ mod memory;
 mod baked;
 
 pub use baked::{Baked, BakedError};
+pub use cell::{MAX_SEGMENTS, MIN_SEGMENTS};
 pub use clock::Clock;
 pub use error_bound::ErrorBound;
 pub use memory::TableMemory;

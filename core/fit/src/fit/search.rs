@@ -1,15 +1,14 @@
-//! Search for a launch without a first guess, on longer and longer parts of the measurements, and reasons not to trust it.
+//! Search for a launch without a first guess, on longer and longer parts of the measurements.
 
 use crate::estimate::Estimate;
+use crate::fit::diagnosis::{is_explained_upright, warning};
 use crate::fit::error::FitWarning;
-use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, guesses, rotation_from_vertical};
+use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, guesses};
 use crate::fit::pass::Pass;
 use crate::fit::problem::Problem;
 use crate::fit::solver::{CONVERGED_SIGMA, Solver};
-use crate::model::Model;
-use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::Measurements;
-use crate::vector::{Vector, cross, dot, scaled};
+use crate::vector::{Vector, dot};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
@@ -23,10 +22,6 @@ const OTHER_LAUNCH_SIGMA: f64 = 10.0;
 const MIN_NOISE: f64 = 0.25;
 /// Least quotient of a rate beyond the range and a reading at its end. Bias and mounting may shift the reading.
 const RANGE_FRACTION: f64 = 0.9;
-/// Largest sine of the tilt, and largest fraction of ω across the axis, of a launch that is compared with an upright one.
-const UPRIGHT_SINE: f64 = 0.1;
-/// Largest difference of sums of squares that chance explains: twice that between the best of 100 random spins and the true one.
-const CHANCE_COST: f64 = 40.0;
 
 /// Finds an estimate without a first guess. Returns the reason not to trust it, and the number of other launches that fit as well.
 #[inline(never)] // stack
@@ -106,45 +101,6 @@ pub(super) fn settle_on_all<F: Real>(
     let misfit = matches!(warning, Some(FitWarning::AllSaturated | FitWarning::TooFew | FitWarning::Misfit));
     let unknown = is_explained_upright(problem, solver, spin);
     if unknown && !misfit { Some(FitWarning::SpinUnknown) } else { warning }
-}
-
-/// Reason in the residuals not to trust the best estimate.
-pub(super) fn warning<F>(model: &Model, solver: &Solver<F>, settled: bool) -> Option<FitWarning> {
-    let statistics = &solver.best.statistics;
-    if statistics.used == 0 && statistics.unused > 0 {
-        Some(FitWarning::AllSaturated)
-    } else if statistics.used < LAUNCH_COLUMNS as u32 {
-        Some(FitWarning::TooFew)
-    } else if statistics.is_misfit(model.count) {
-        Some(FitWarning::Misfit)
-    } else if settled {
-        None
-    } else {
-        Some(FitWarning::NotSettled)
-    }
-}
-
-/// Whether an upright launch with twice this spin explains the measurements equally well. They do not determine the spin then.
-///
-/// An upright top with a saturated gyroscope fits any spin.
-#[inline(never)] // stack
-fn is_explained_upright<F: Real>(
-    problem: &Problem<F, impl Measurements>,
-    solver: &mut Solver<F>,
-    spin: f64,
-) -> bool {
-    let found = solver.best.estimate;
-    let axis = found.orientation.axis();
-    let transverse = cross(found.omega, axis);
-    let [x, y, z] = axis;
-    let near = UPRIGHT_SINE * UPRIGHT_SINE;
-    if x * x + y * y > near || dot(transverse, transverse) > near * dot(found.omega, found.omega) {
-        return false;
-    }
-    let sign = libm::copysign(1.0, z);
-    let orientation = rotation_from_vertical(scaled(axis, sign)).inverse().compose(&found.orientation);
-    let upright = Estimate { orientation, omega: [0.0, 0.0, sign * 2.0 * spin], ..found };
-    solver.cost_of(upright, problem) <= solver.best.statistics.cost + CHANCE_COST
 }
 
 /// Cause of residuals that are too large. The best estimate is overwritten.

@@ -8,7 +8,7 @@ use crate::table::evaluation::rounding::TABLE_UNIT;
 const PATH_FRACTION: f64 = 1.0 / 8.0;
 /// Share of dropped terms. It costs about one more term.
 const TERMS_FRACTION: f32 = 1.0 / 256.0;
-/// Share of a segment of two cells in that of a segment.
+/// Part of a segment's share that a segment of two cells has.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
 /// Greatest last term of a rate at x = 1 over the error for dropped terms, on a step of one half period: integration divides the term by 192.

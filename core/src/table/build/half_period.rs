@@ -10,17 +10,15 @@
 //! All segments of a cell have one length. A cell starts with segments twice as long as in the cell before, and halves them until they are accurate.
 //! A segment does not cross the ends of a span.
 
-mod mean_rates;
-
 mod stored_segment;
 
 mod bound;
 
-use mean_rates::MeanRates;
 use stored_segment::{SegmentBounds, store_polynomial, store_segment};
 
 use super::error_budget::ErrorBudget;
 use super::interval::{HALF_PERIOD, Interval};
+use super::mean_rates::MeanRates;
 use super::path::launch_phases::LaunchPhases;
 use super::path::polynomial::Polynomial;
 use super::path::{Path, PathScratch};
@@ -30,7 +28,7 @@ use crate::motion::period::Period;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float};
 use crate::table::data::Phases;
-use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
+use crate::table::data::cell::{CELLS, Cell, MAX_SEGMENTS, MIN_DEPTH};
 use crate::table::evaluation::TableScalar;
 
 /// Quantities of half a period besides its segments.
@@ -38,10 +36,9 @@ use crate::table::evaluation::TableScalar;
 pub(super) struct HalfPeriod {
     pub(super) mean_rates: MeanRates,
     /// Nutation phase and mean phases of the launch.
-    pub(super) launch: Phases<Phase>,
+    pub(super) launch_phases: Phases<Phase>,
     pub(super) cells: [u16; CELLS],
-    /// Number of segments.
-    pub(super) segments: usize,
+    pub(super) segment_count: usize,
     bounds: SegmentBounds,
     /// Constant orientation error, without the roundings of a tick, rad.
     error: f64,
@@ -60,9 +57,9 @@ impl HalfPeriod {
     /// Half a period before a set-up. All its bits are 0.
     pub(super) const ZERO: Self = Self {
         mean_rates: MeanRates::ZERO,
-        launch: Phases::from_array([Phase::ZERO; 3]),
+        launch_phases: Phases::from_array([Phase::ZERO; 3]),
         cells: [0; CELLS],
-        segments: 0,
+        segment_count: 0,
         bounds: SegmentBounds::ZERO,
         error: 0.0,
     };
@@ -93,7 +90,7 @@ impl HalfPeriod {
                 self.tabulate_path::<R>(motion, time.halved(), budget, scratch, segments, pause)
             }
             None => {
-                self.launch = LaunchPhases::new(motion).phases;
+                self.launch_phases = LaunchPhases::new(motion).phases;
                 self.store_constants::<R>(motion, segments);
                 Ok(())
             }
@@ -115,7 +112,7 @@ impl HalfPeriod {
     ) -> Result<(), TooManySegments> {
         let mut path = Path::new(scratch, budget, motion, length, self.mean_rates.rates);
         self.divide::<R>(&mut path, segments, pause)?;
-        self.launch = path.launch.phases;
+        self.launch_phases = path.launch_phases.phases;
         let [delay, residual] = path.errors();
         let bounds = &self.bounds;
         self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
@@ -129,7 +126,7 @@ impl HalfPeriod {
             let [plus, minus] = ellipse.exponentials();
             store_polynomial::<R>(segments.first_mut(), index, &Polynomial::constant(plus + minus));
         }
-        self.segments = 1;
+        self.segment_count = 1;
     }
 
     /// Divides the half period into cells, and these into segments.
@@ -140,7 +137,7 @@ impl HalfPeriod {
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
         // without memory for segments, they are only counted
-        let capacity = if segments.is_empty() { Cell::MAX_SEGMENTS } else { segments.len() };
+        let capacity = if segments.is_empty() { MAX_SEGMENTS } else { segments.len() };
         let mut position = 0;
         let mut depth = MIN_DEPTH;
         while position < HALF_PERIOD {
@@ -148,9 +145,10 @@ impl HalfPeriod {
             depth = (depth - 1).max(MIN_DEPTH + (position / CELL_LENGTH % 2) as u32);
             path.begin_cell(position, depth);
             let (cell, bounds) = loop {
+                path.rewind(position);
                 let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
                 let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> MIN_DEPTH);
-                let count = self.segments + cell.part_count(depth) + remainder;
+                let count = self.segment_count + cell.part_count(depth) + remainder;
                 if depth > Cell::MAX_DEPTH || count > capacity {
                     return Err(TooManySegments { segments: capacity as u32 });
                 }
@@ -159,13 +157,13 @@ impl HalfPeriod {
                 }
                 depth += 1;
             };
-            let Cell(entry) = Cell::new(self.segments, position >> (Cell::MAX_DEPTH - depth), depth);
+            let Cell(entry) = Cell::new(self.segment_count, position >> (Cell::MAX_DEPTH - depth), depth);
             self.cells
                 .iter_mut()
                 .skip(position / CELL_LENGTH)
                 .take(cell.length() / CELL_LENGTH)
                 .for_each(|cell| *cell = entry);
-            self.segments += cell.part_count(depth);
+            self.segment_count += cell.part_count(depth);
             self.bounds.include(&bounds);
             position = cell.end();
         }
@@ -184,7 +182,7 @@ impl HalfPeriod {
         pause: &mut dyn FnMut(),
     ) -> Option<SegmentBounds> {
         let mut bounds = SegmentBounds::ZERO;
-        for (segment, number) in cell.parts(depth).zip(self.segments..) {
+        for (segment, number) in cell.parts(depth).zip(self.segment_count..) {
             let span = path.span_at(segment.begin, depth, pause)?;
             bounds.include(&store_segment::<R>(path, span, segment, segments.get_mut(number), pause));
             let is_accurate = bounds.error <= path.budget.segment_error_at(depth);

@@ -94,16 +94,14 @@ pub(super) struct Path<'a, F> {
     /// Coefficients of the exponentials in a and in b.
     exponentials: [[f64; 2]; 2],
     /// Sum of the rates of χ and of the residual phases at the faster end of the path, rad per half period.
-    endpoint_rate: f64,
+    greatest_end_rate: f64,
     /// Phases of the launch, once the path has reached it.
-    pub(super) launch: LaunchPhases,
+    pub(super) launch_phases: LaunchPhases,
     span: Option<Interval>,
     /// End of the span.
     end: PathPoint,
-    /// Position of the cell that is filled, from which shorter spans may begin again.
-    cell: usize,
-    /// Beginning of this cell.
-    cell_point: PathPoint,
+    /// Beginning of the cell that is filled.
+    cell_start: PathPoint,
     /// Least depth of the next span.
     next_span_depth: u32,
 }
@@ -135,20 +133,18 @@ impl<'a, F: Float> Path<'a, F> {
             scratch,
             budget,
             exponentials: [alpha, beta].map(|ellipse| ellipse.exponentials()),
-            endpoint_rate: first.larger_or_nan(last),
-            launch: LaunchPhases::new(motion),
+            greatest_end_rate: first.larger_or_nan(last),
+            launch_phases: LaunchPhases::new(motion),
             span: None,
             end: PathPoint::FIRST,
-            cell: 0,
-            cell_point: PathPoint::FIRST,
+            cell_start: PathPoint::FIRST,
             next_span_depth: MIN_SPAN_DEPTH,
         }
     }
 
     /// Begins a cell. Its first span may be as long as a segment of this depth, if the last series would converge on it.
     pub(super) fn begin_cell(&mut self, position: usize, depth: u32) {
-        self.cell = position;
-        self.cell_point = match self.span.filter(|span| position < span.end()) {
+        self.cell_start = match self.span.filter(|span| position < span.end()) {
             Some(span) => {
                 let x = 2.0 * ((position - span.begin) as f64 / span.length() as f64) - 1.0;
                 PathPoint { phases: self.scratch.expansion.at(x).0, error: self.end.error }
@@ -160,21 +156,32 @@ impl<'a, F: Float> Path<'a, F> {
         }
     }
 
+    /// Returns to the beginning of the cell, at this position, unless the span contains it.
+    pub(super) fn rewind(&mut self, position: usize) {
+        if !self.is_in_span(position) {
+            self.span = None;
+            self.end = self.cell_start;
+        }
+    }
+
+    fn is_in_span(&self, position: usize) -> bool {
+        self.span.is_some_and(|span| (span.begin..span.end()).contains(&position))
+    }
+
     /// Upper bound on the rates of the residual phases on the span, rad per half period.
     pub(super) fn residual_rate(&self, span: Interval) -> f32 {
         self.scratch.expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32
     }
 
-    /// Span at a position: the present one, or the next from the end of the present one or from the beginning of the cell. `None` if no depth
-    /// up to `max_depth` is accurate.
+    /// Span at a position: the present one, or the next one, which begins there. `None` if no depth up to `max_depth` is accurate.
     pub(super) fn span_at(
         &mut self,
         position: usize,
         max_depth: u32,
         pause: &mut dyn FnMut(),
     ) -> Option<Interval> {
-        if !self.span.is_some_and(|span| (span.begin..span.end()).contains(&position)) {
-            let point = if position == self.cell { self.cell_point } else { self.end };
+        if !self.is_in_span(position) {
+            let point = self.end;
             let depth = self.next_span_depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
             self.span = None;
             for depth in depth..=max_depth {
@@ -204,7 +211,7 @@ impl<'a, F: Float> Path<'a, F> {
             polynomial.drop_negligible_terms(terms, self.budget)?;
         }
         pause();
-        self.launch.search(expansion, self.end.phases.chi, span);
+        self.launch_phases.search(expansion, self.end.phases.chi, span);
         Some(span)
     }
 
@@ -227,7 +234,7 @@ impl<'a, F: Float> Path<'a, F> {
             chi_rate,
             psi_rates: [alpha, beta],
             residual_rates: [residual_alpha, residual_beta],
-            chi_error_factor: (unit * self.endpoint_rate / chi_rate.abs()).max(1.0),
+            chi_error_factor: (unit * self.greatest_end_rate / chi_rate.abs()).max(1.0),
             negligible: self.budget.negligible_term(half_length),
         };
         let expansion = &mut self.scratch.expansion;
@@ -253,7 +260,7 @@ impl<'a, F: Float> Path<'a, F> {
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0
         let [alpha, beta] = residual.map(distance);
         let [chi_rate, ..] = self.equations.rates(1.0, 0.0);
-        let delay = ROUNDING_DELAY + error / self.endpoint_rate + distance(chi) / chi_rate;
+        let delay = ROUNDING_DELAY + error / self.greatest_end_rate + distance(chi) / chi_rate;
         [delay, error + alpha.larger_or_nan(beta)]
     }
 }

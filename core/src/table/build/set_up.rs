@@ -161,12 +161,12 @@ impl<R: TableScalar> Table<R> {
         settings: &TableSettings,
         pause: &mut dyn FnMut(),
     ) {
-        let HalfPeriod { cells, segments, mean_rates, launch, .. } = half_period;
+        let HalfPeriod { cells, segment_count, mean_rates, launch_phases, .. } = half_period;
         self.cells = *cells;
-        self.segments.get_mut(*segments..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, *launch);
+        self.segments.get_mut(*segment_count..).unwrap_or_default().fill(R::ZERO_SEGMENT);
+        self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, *launch_phases);
         pause();
-        self.start_tip_angle(motion, *launch, pause);
+        self.start_tip_angle(motion, *launch_phases, pause);
         pause();
         [self.error_bound, self.rate_error_bound] =
             half_period.error_bounds(R::TERMS, &R::ERRORS, motion, settings.tick.length());
@@ -194,6 +194,6 @@ impl<R: TableScalar, S: ?Sized> Table<R, S> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Result<u32, SetUpError> {
         let workspace = &mut Workspace::new();
         tabulate::<R>(motion, truncation, workspace, &mut [], &mut || {})?;
-        Ok(workspace.half_period.segments.max(MIN_SEGMENTS) as u32)
+        Ok(workspace.half_period.segment_count.max(MIN_SEGMENTS) as u32)
     }
 }

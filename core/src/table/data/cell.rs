@@ -8,8 +8,14 @@ pub(crate) const CELLS: usize = 16;
 /// Depth of the longest segments, which are an eighth of half a period.
 pub(crate) const MIN_DEPTH: u32 = 3;
 
-/// Number of segments in half a period at the least depth.
-pub(crate) const MIN_SEGMENTS: usize = 1 << MIN_DEPTH;
+/// Bits of a depth in an entry.
+const DEPTH_BITS: u32 = 4;
+
+/// Largest number of segments of a table.
+pub const MAX_SEGMENTS: usize = 1 << (u16::BITS - DEPTH_BITS);
+
+/// Number of segments in half a period at the least depth, and least number of a table.
+pub const MIN_SEGMENTS: usize = 1 << MIN_DEPTH;
 
 /// Whether u falls at a nutation phase, given by its 64 leading bits.
 pub(crate) fn is_falling(nutation: u64) -> bool {
@@ -26,22 +32,19 @@ pub(crate) fn is_falling(nutation: u64) -> bool {
 pub(crate) struct Cell(pub(crate) u16);
 
 impl Cell {
-    const DEPTH_BITS: u32 = 4;
-    /// Largest number of segments of a table.
-    pub(crate) const MAX_SEGMENTS: usize = 1 << (u16::BITS - Self::DEPTH_BITS);
     /// Greatest depth: 4096 segments in one cell.
-    pub(crate) const MAX_DEPTH: u32 = (CELLS * Self::MAX_SEGMENTS).ilog2();
+    pub(crate) const MAX_DEPTH: u32 = (CELLS * MAX_SEGMENTS).ilog2();
 
     /// Cell in which segment `index` of half a period at this depth is `number` of the table.
     pub(crate) const fn new(number: usize, index: usize, depth: u32) -> Self {
-        Self((number.wrapping_sub(index) as u16) << Self::DEPTH_BITS | (depth - MIN_DEPTH) as u16)
+        Self((number.wrapping_sub(index) as u16) << DEPTH_BITS | (depth - MIN_DEPTH) as u16)
     }
 
     /// Number of the segment at a phase, given by the 32 leading bits of the fraction of half a period.
     #[inline(always)]
     pub(crate) const fn segment(self, phase: u32) -> usize {
         let shift = u32::BITS - self.depth();
-        ((self.0 as u32 >> Self::DEPTH_BITS) + (phase >> shift)) as usize % Self::MAX_SEGMENTS
+        ((self.0 as u32 >> DEPTH_BITS) + (phase >> shift)) as usize % MAX_SEGMENTS
     }
 
     /// Whether the segments of the cell with this number are below a number of segments.
@@ -54,7 +57,7 @@ impl Cell {
     /// Depth of the segments. 4 bits allow 3 to 18; a valid table has at most [`Cell::MAX_DEPTH`].
     #[inline(always)]
     pub(crate) const fn depth(self) -> u32 {
-        MIN_DEPTH + (self.0 & ((1 << Self::DEPTH_BITS) - 1)) as u32
+        MIN_DEPTH + (self.0 & ((1 << DEPTH_BITS) - 1)) as u32
     }
 }
 
@@ -64,14 +67,9 @@ mod tests {
 
     #[test]
     fn a_cell_finds_its_segments() {
-        for (number, first, depth) in [
-            (0, 0, 3),
-            (2, 1, 3),
-            (3, 6, 4),
-            (1, 1, 8),
-            (15, Cell::MAX_SEGMENTS - 1, 4),
-            (1, 0, Cell::MAX_DEPTH),
-        ] {
+        for (number, first, depth) in
+            [(0, 0, 3), (2, 1, 3), (3, 6, 4), (1, 1, 8), (15, MAX_SEGMENTS - 1, 4), (1, 0, Cell::MAX_DEPTH)]
+        {
             let count = if depth == 3 { 1 } else { 1 << (depth - 4) };
             let index = (number << depth) >> 4;
             let cell = Cell::new(first, index, depth);
@@ -79,7 +77,7 @@ mod tests {
             for index in [0, count - 1] {
                 let inside = begin + length * index as u32;
                 let found = [inside, inside + (length - 1)].map(|phase| cell.segment(phase));
-                assert_eq!(found, [(first + index) % Cell::MAX_SEGMENTS; 2]);
+                assert_eq!(found, [(first + index) % MAX_SEGMENTS; 2]);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Table of one motion: the clock, the error bounds, the cells and the segments.
 
-use crate::table::data::cell::{CELLS, Cell, MIN_SEGMENTS};
+use crate::table::data::cell::{CELLS, MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::table::data::{Clock, ErrorBound};
 use crate::table::evaluation::TableScalar;
 use core::ops::Deref;
@@ -14,7 +14,7 @@ pub struct Table<R: TableScalar, S: ?Sized = [<R as TableScalar>::Segment]> {
     pub(crate) clock: Clock<R::Quantity>,
     pub(crate) error_bound: ErrorBound,
     pub(crate) rate_error_bound: ErrorBound,
-    /// Entries of the cells: see [`Cell`].
+    /// Entries of the cells: see [`Cell`](crate::table::data::cell::Cell).
     pub(crate) cells: [u16; CELLS],
     pub(crate) segments: S,
 }
@@ -42,7 +42,7 @@ pub type TableQ15 = SizedTable<fixed::types::I2F14, 16>;
 impl<R: TableScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
     /// Table before set-up. All its bits are 0, so that it takes no flash.
     pub(super) const EMPTY: Self = {
-        assert!(SEGMENTS >= MIN_SEGMENTS && SEGMENTS <= Cell::MAX_SEGMENTS);
+        assert!(SEGMENTS >= MIN_SEGMENTS && SEGMENTS <= MAX_SEGMENTS);
         Self {
             clock: Clock::ZERO,
             error_bound: ErrorBound::ZERO,

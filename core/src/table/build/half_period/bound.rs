@@ -1,8 +1,9 @@
 //! Error bounds of a table, with the terms of [the error bound](crate::error_bound).
 
-use super::{HalfPeriod, MeanRates};
+use super::HalfPeriod;
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring};
+use crate::table::build::mean_rates::MeanRates;
 use crate::table::data::{ErrorBound, Phases};
 use crate::table::evaluation::TickErrors;
 

@@ -99,7 +99,7 @@ pub(super) fn store_segment<R: TableScalar>(
         ));
         pause();
     }
-    // x is 2 longer at the end of a segment
+    // x grows by 2 over a segment
     let x_per_half_period = (2_u32 << segment.depth) as f32;
     SegmentBounds {
         error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + short_product_error,

@@ -1,7 +1,7 @@
 //! Random launch: branch points or a state.
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use toytop::{InitialAngles, Release, Sign, Signs, State, Stepper, Support, TopParameters};
+use toytop::{InitialAngles, Release, Sign, Signs, State, Support, TopParameters};
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::Launch;
 use toytop_host::truth::motion_input::MotionInput;
@@ -74,7 +74,7 @@ fn with_other_top(random: &mut Random, input: MotionInput) -> MotionInput {
 
 /// State at t = 0 of a motion, rounded to `f64`, which is a state of a slightly different motion.
 fn on_motion(input: &MotionInput) -> Option<State> {
-    State::from_attitude(&Stepper::<f64>::new(&input.motion().ok()?).attitude_state()).ok()
+    State::from_attitude(&input.motion().ok()?.attitude_at_launch()).ok()
 }
 
 fn release(random: &mut Random) -> Release {
