@@ -13,7 +13,7 @@ use crate::Failure;
 use crate::input::require_within;
 use crate::motion::Scalar;
 use crate::motion::ephemeris::MotionEphemeris;
-use crate::motion::sample::Sample;
+use crate::motion::sample::MotionSample;
 use crate::output::significant;
 use toytop::Motion;
 use toytop_model::display_duration::{cycle, display_duration, periods};
@@ -63,7 +63,7 @@ impl MotionSpan {
     }
 
     /// Sample at a time.
-    pub fn at(&self, t: f64) -> Sample {
+    pub fn at(&self, t: f64) -> MotionSample {
         self.ephemeris.at(t)
     }
 

@@ -10,7 +10,7 @@ use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::{Motion, Orientation};
 use toytop_host::motion::tip_angle::TipAngle;
-use toytop_host::motion::{column::SampleColumn, ephemeris::MotionEphemeris, sample::Sample};
+use toytop_host::motion::{column::SampleColumn, ephemeris::MotionEphemeris, sample::MotionSample};
 use toytop_model::equations::Rates;
 
 /// Quantities of samples that an array can hold.
@@ -36,7 +36,7 @@ pub(crate) enum Source {
     /// A table for each motion, which are evaluated on demand.
     Tables(Vec<SharedEphemeris>),
     /// One point for each time.
-    Points(Vec<Sample>),
+    Points(Vec<MotionSample>),
 }
 
 /// Number of samples of a job of one thread.
@@ -73,7 +73,7 @@ impl Sampler {
         let points = interrupt::map(py, times.numbers.len(), |index| {
             let t = times.numbers[index];
             let (orientation, rates) = at(t);
-            Sample { error_bound, ..angle.sample(t, orientation, rates) }
+            MotionSample { error_bound, ..angle.sample(t, orientation, rates) }
         })?;
         Ok(Self::new(times, None, Source::Points(points)))
     }
@@ -102,7 +102,10 @@ impl Sampler {
         let numbers = writer.as_slice_mut()?;
         let fill = |motion: usize, first: usize, rows: &mut [f64]| match &self.source {
             Source::Tables(tables) => tables[motion].write(column, &times[first..], rows),
-            Source::Points(points) => column.write_each(points[first..].iter().copied(), rows),
+            Source::Points(points) => {
+                let rows = points[first..].iter().zip(rows.chunks_exact_mut(width));
+                rows.for_each(|(point, row)| column.write(point, row));
+            }
         };
         let of_motion = (width * times.len()).max(1);
         if numbers.len() <= width * BLOCK {

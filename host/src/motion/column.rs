@@ -1,7 +1,7 @@
 //! Columns of samples: names, unit and numbers of a quantity.
 
 use super::euler_angles;
-use super::sample::{Sample, SampleQuantities};
+use super::sample::{MotionSample, Quantity};
 use toytop::{Complex, Pose, Support};
 
 /// Quantity of a sample, one number or several.
@@ -59,64 +59,59 @@ impl SampleColumn {
     ];
 }
 
-/// Key of JSON, names of the numbers as columns of CSV, and their unit in SI.
-type Description = (&'static str, &'static [&'static str], &'static str);
+/// Key of JSON, names of the numbers as columns of CSV, their unit in SI, and the quantity that they are computed from.
+type Description = (&'static str, &'static [&'static str], &'static str, Quantity);
 
 impl SampleColumn {
     fn description(self) -> Description {
         match self {
-            Self::T => ("t", &["t"], "s"),
-            Self::U => ("u", &["u"], ""),
-            Self::Udot => ("udot", &["udot"], "1/s"),
-            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], ""),
-            Self::Beta => ("beta", &["beta_re", "beta_im"], ""),
-            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], ""),
-            Self::Delta => ("delta", &["delta_re", "delta_im"], ""),
-            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s"),
-            Self::Tip => ("tip", &["tip_x", "tip_y"], "m"),
-            Self::TipAngle => ("phi", &["phi"], "rad"),
-            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], ""),
-            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], ""),
-            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s"),
-            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad"),
-            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad"),
-            Self::ErrorBound => ("error_bound", &["error_bound"], "rad"),
+            Self::T => ("t", &["t"], "s", Quantity::Time),
+            Self::U => ("u", &["u"], "", Quantity::Pose),
+            Self::Udot => ("udot", &["udot"], "1/s", Quantity::Udot),
+            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], "", Quantity::Pose),
+            Self::Beta => ("beta", &["beta_re", "beta_im"], "", Quantity::Pose),
+            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], "", Quantity::Pose),
+            Self::Delta => ("delta", &["delta_re", "delta_im"], "", Quantity::Pose),
+            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", Quantity::Omega),
+            Self::Tip => ("tip", &["tip_x", "tip_y"], "m", Quantity::Pose),
+            Self::TipAngle => ("phi", &["phi"], "rad", Quantity::TipAngle),
+            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], "", Quantity::Pose),
+            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], "", Quantity::Pose),
+            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s", Quantity::OmegaBody),
+            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad", Quantity::Pose),
+            Self::EulerZxz => {
+                ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", Quantity::Pose)
+            }
+            Self::ErrorBound => ("error_bound", &["error_bound"], "rad", Quantity::Time),
         }
-    }
-
-    /// Writes its numbers for each sample, row after row.
-    pub fn write_each<Q: SampleQuantities>(self, samples: impl Iterator<Item = Q>, rows: &mut [f64]) {
-        let rows = rows.chunks_exact_mut(self.names().len());
-        samples.zip(rows).for_each(|(now, row)| self.write(&now, row));
     }
 
     /// Writes its numbers into a row of as many numbers as it has names. NaN stands for a number that does not exist.
     #[inline]
-    pub fn write(self, now: &impl SampleQuantities, row: &mut [f64]) {
+    pub fn write(self, sample: &MotionSample, row: &mut [f64]) {
         let mut put = |numbers: &[f64]| row.copy_from_slice(numbers);
         let parts = |z: Complex<f64>| [z.re, z.im];
-        let orientation = || now.pose().orientation;
+        let MotionSample { t, pose: Pose { orientation, u, tip }, rates, tip_angle, error_bound } = sample;
         match self {
-            Self::T => put(&[now.t()]),
-            Self::U => put(&[now.pose().u]),
-            Self::Udot => put(&[now.udot()]),
-            Self::Alpha => put(&parts(orientation().alpha)),
-            Self::Beta => put(&parts(orientation().beta)),
-            Self::Gamma => put(&parts(orientation().gamma())),
-            Self::Delta => put(&parts(orientation().delta())),
-            Self::Omega => put(&now.omega()),
-            Self::Tip => put(&parts(now.pose().tip)),
-            Self::TipAngle => put(&[now.tip_angle().unwrap_or(f64::NAN)]),
-            Self::Quaternion => put(&orientation().quaternion()),
+            Self::T => put(&[*t]),
+            Self::U => put(&[*u]),
+            Self::Udot => put(&[rates.udot]),
+            Self::Alpha => put(&parts(orientation.alpha)),
+            Self::Beta => put(&parts(orientation.beta)),
+            Self::Gamma => put(&parts(orientation.gamma())),
+            Self::Delta => put(&parts(orientation.delta())),
+            Self::Omega => put(&rates.omega),
+            Self::Tip => put(&parts(*tip)),
+            Self::TipAngle => put(&[tip_angle.unwrap_or(f64::NAN)]),
+            Self::Quaternion => put(&orientation.quaternion()),
             Self::Axis => {
-                let Pose { orientation, u, .. } = now.pose();
                 let [x, y, _] = orientation.axis();
-                put(&[x, y, u]);
+                put(&[x, y, *u]);
             }
-            Self::OmegaBody => put(&now.omega_body()),
-            Self::Angles => put(&euler_angles::tilt_azimuth_roll(&orientation())),
-            Self::EulerZxz => put(&euler_angles::zxz(&orientation())),
-            Self::ErrorBound => put(&[now.error_bound().unwrap_or(f64::NAN)]),
+            Self::OmegaBody => put(&rates.omega_body),
+            Self::Angles => put(&euler_angles::tilt_azimuth_roll(orientation)),
+            Self::EulerZxz => put(&euler_angles::zxz(orientation)),
+            Self::ErrorBound => put(&[error_bound.unwrap_or(f64::NAN)]),
         }
     }
 
@@ -130,16 +125,21 @@ impl SampleColumn {
         self.description().1
     }
 
+    /// Quantity of a sample that its numbers are computed from.
+    pub(super) fn quantity(self) -> Quantity {
+        self.description().3
+    }
+
     /// Unit of its numbers in SI; empty where there is none.
     pub fn si_unit(self, support: Support) -> &'static str {
         match self.description() {
-            (_, _, "m") if support != Support::Sliding => "",
-            (_, _, unit) => unit,
+            (_, _, "m", _) if support != Support::Sliding => "",
+            (_, _, unit, _) => unit,
         }
     }
 
     /// Numbers of a sample.
-    pub fn numbers(self, sample: &Sample) -> Vec<f64> {
+    pub fn numbers(self, sample: &MotionSample) -> Vec<f64> {
         let mut row = vec![f64::NAN; self.names().len()];
         self.write(sample, &mut row);
         row

@@ -2,8 +2,6 @@
 
 mod events;
 
-mod source;
-
 mod aperiodic;
 mod heap_table;
 
@@ -13,10 +11,10 @@ pub use heap_table::{HeapTable, SEGMENTS};
 use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
-use crate::motion::sample::Sample;
+use crate::motion::sample::{MotionSample, Quantity};
 use aperiodic::ClosedFormSource;
+use events::Condition;
 use fixed::types::{I2F14, I2F30};
-use source::MotionSource;
 use toytop::{ErrorBound, Motion, ParameterError, Pose, Regime, TableScalar, TableSettings, Tick};
 use toytop_model::timed_motion::{MAX_TICKS, TimedMotion};
 
@@ -33,6 +31,18 @@ pub struct MotionEphemeris {
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     pub rate_error_bound: ErrorBound,
     source: Box<dyn MotionSource>,
+}
+
+/// Table or closed form, from which samples and events are computed.
+trait MotionSource: Send + Sync {
+    /// Sample at the time t, taken as exact.
+    ///
+    /// * `tick`: number of the tick at this time, if it is one
+    /// * `only`: quantity that is computed; without it, all of them
+    fn sample(&self, t: f64, tick: Option<i64>, only: Option<Quantity>) -> MotionSample;
+
+    /// First events at which a condition holds, of those that the query includes.
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
 }
 
 /// Settings of an ephemeris. A scalar stands for its default settings.
@@ -109,23 +119,25 @@ impl MotionEphemeris {
     }
 
     /// Sample t units of time after t = 0, t taken as exact.
-    pub fn at(&self, t: f64) -> Sample {
-        self.source.sample(t, None)
+    pub fn at(&self, t: f64) -> MotionSample {
+        self.source.sample(t, None, None)
     }
 
     /// Sample at tick n.
-    pub fn at_tick(&self, n: i64) -> Sample {
-        self.source.sample(n as f64 / self.ticks_per_time, Some(n))
+    pub fn at_tick(&self, n: i64) -> MotionSample {
+        self.source.sample(n as f64 / self.ticks_per_time, Some(n), None)
     }
 
     /// Orientation, u and tip t units of time after t = 0.
     pub fn pose(&self, t: f64) -> Pose<f64, f64> {
-        self.source.pose(t)
+        self.source.sample(t, None, Some(Quantity::Pose)).pose
     }
 
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        self.source.write(column, times, rows);
+        let only = Some(column.quantity());
+        let rows = rows.chunks_exact_mut(column.names().len());
+        times.iter().zip(rows).for_each(|(t, row)| column.write(&self.source.sample(*t, None, only), row));
     }
 }
 

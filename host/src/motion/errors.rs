@@ -1,6 +1,6 @@
 //! Errors of samples, and drift of the first integrals.
 
-use super::sample::Sample;
+use super::sample::MotionSample;
 use nalgebra::Vector3;
 use std::array::from_fn;
 use toytop::{Motion, Orientation, Top};
@@ -33,7 +33,7 @@ pub struct Errors {
 
 impl Errors {
     /// Errors of a sample of a motion whose orientation is `truth`.
-    pub fn between(motion: &Motion, sample: &Sample, truth: &Orientation<f64>) -> Self {
+    pub fn between(motion: &Motion, sample: &MotionSample, truth: &Orientation<f64>) -> Self {
         let orientation = sample.pose.orientation;
         let tip = sample.pose.tip.scaled(1.0 / motion.top().tip_scale()) - truth.tip_over_s();
         Self {

@@ -3,7 +3,7 @@
 use crate::Failure;
 use crate::input::scenario::{Launch, Scenario};
 use crate::motion::outwards::step_outwards;
-use crate::motion::sample::Sample;
+use crate::motion::sample::MotionSample;
 use crate::motion::tip_angle::TipAngle;
 use crate::truth::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop::Stepper;
@@ -35,7 +35,7 @@ pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Fail
 ///
 /// # Errors
 /// As [`states`].
-pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<Sample>, Failure> {
+pub fn samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<MotionSample>, Failure> {
     let states = states(scenario, times)?;
     // only the whole turns of the tip angle come from the core
     let angle = TipAngle::new(&scenario.motion);

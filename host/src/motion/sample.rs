@@ -2,24 +2,12 @@
 
 use std::f64::consts::TAU;
 use toytop::scalar::Real;
-use toytop::{AttitudeState, Complex, Phase, Pose};
+use toytop::{AttitudeState, Complex, Orientation, Phase, Pose};
 use toytop_model::equations::Rates;
-
-/// Motion at one time: each quantity is computed when it is asked for. The fields of [`Sample`] describe them.
-#[expect(missing_docs)]
-pub trait SampleQuantities {
-    fn t(&self) -> f64;
-    fn pose(&self) -> Pose<f64, f64>;
-    fn omega(&self) -> [f64; 3];
-    fn omega_body(&self) -> [f64; 3];
-    fn udot(&self) -> f64;
-    fn tip_angle(&self) -> Option<f64>;
-    fn error_bound(&self) -> Option<f64>;
-}
 
 /// Motion at one time in `f64`.
 #[derive(Clone, Copy)]
-pub struct Sample {
+pub struct MotionSample {
     /// Time, s.
     pub t: f64,
     /// Orientation Φ, cosine u of the tilt, and position of the tip c = 2 s αβ, m; 2 αβ for a fixed tip.
@@ -32,43 +20,32 @@ pub struct Sample {
     pub error_bound: Option<f64>,
 }
 
-impl SampleQuantities for Sample {
-    fn t(&self) -> f64 {
-        self.t
-    }
-
-    fn pose(&self) -> Pose<f64, f64> {
-        self.pose
-    }
-
-    fn omega(&self) -> [f64; 3] {
-        self.rates.omega
-    }
-
-    fn omega_body(&self) -> [f64; 3] {
-        self.rates.omega_body
-    }
-
-    fn udot(&self) -> f64 {
-        self.rates.udot
-    }
-
-    fn tip_angle(&self) -> Option<f64> {
-        self.tip_angle
-    }
-
-    fn error_bound(&self) -> Option<f64> {
-        self.error_bound
-    }
+/// Quantity of a sample that a table computes by itself.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Quantity {
+    /// Time, and the bound on the error there.
+    Time,
+    /// Orientation, u and tip.
+    Pose,
+    /// Angular velocity ω.
+    Omega,
+    /// Angular velocity Ω.
+    OmegaBody,
+    /// Rate of u.
+    Udot,
+    /// Tip angle.
+    TipAngle,
 }
 
-impl Sample {
-    /// Sample with all quantities.
-    pub fn new(now: &impl SampleQuantities) -> Self {
-        let rates = Rates { omega: now.omega(), omega_body: now.omega_body(), udot: now.udot() };
-        let (tip_angle, error_bound) = (now.tip_angle(), now.error_bound());
-        Self { t: now.t(), pose: now.pose(), rates, tip_angle, error_bound }
-    }
+impl MotionSample {
+    /// Sample without quantities: its numbers are NaN.
+    pub(super) const EMPTY: Self = Self {
+        t: f64::NAN,
+        pose: Pose { orientation: Orientation { alpha: NAN, beta: NAN }, u: f64::NAN, tip: NAN },
+        rates: Rates { omega: [f64::NAN; 3], omega_body: [f64::NAN; 3], udot: f64::NAN },
+        tip_angle: None,
+        error_bound: None,
+    };
 
     /// Sample of an attitude state of the core at time t.
     pub fn from_state<R: Real>(
@@ -83,6 +60,8 @@ impl Sample {
         Self { t, pose, rates: body_rates(state), tip_angle, error_bound: None }
     }
 }
+
+const NAN: Complex<f64> = Complex { re: f64::NAN, im: f64::NAN };
 
 /// Rates of an attitude state of the core.
 pub fn body_rates<R: Real>(state: &AttitudeState<R>) -> Rates {

@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use crate::motion::outwards::step_outwards;
-use crate::motion::sample::Sample;
+use crate::motion::sample::MotionSample;
 use std::convert::Infallible;
 use toytop::scalar::Real;
 use toytop::{Motion, Phase, Stepper};
@@ -25,10 +25,15 @@ pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
 }
 
 /// Samples by the stepper at `times`, in steps of `step`, s. `advanced` is called with the number of steps after each batch.
-pub fn samples<R: Real>(motion: &Motion, times: &[f64], step: f64, advanced: &dyn Fn(u64)) -> Vec<Sample> {
+pub fn samples<R: Real>(
+    motion: &Motion,
+    times: &[f64],
+    step: f64,
+    advanced: &dyn Fn(u64),
+) -> Vec<MotionSample> {
     let sample = |stepper: &mut TimedStepper<R>, t| {
         stepper.advance_to(t, advanced);
-        Ok::<_, Infallible>(Sample { t, ..stepper.sample() })
+        Ok::<_, Infallible>(MotionSample { t, ..stepper.sample() })
     };
     let Ok(samples) = step_outwards(times, || TimedStepper::new(motion, step), sample);
     samples
@@ -81,9 +86,9 @@ impl<R: Real> TimedStepper<R> {
     }
 
     /// Sample at the elapsed time, which contains the rounding of the last step to the scalar.
-    pub fn sample(&self) -> Sample {
+    pub fn sample(&self) -> MotionSample {
         let tip_angle = self.last.tip_angle().map(Phase::to_radians);
-        Sample::from_state(self.elapsed, &self.last.attitude_state(), self.last.tip(), tip_angle)
+        MotionSample::from_state(self.elapsed, &self.last.attitude_state(), self.last.tip(), tip_angle)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::motion::Scalar;
 use crate::motion::ephemeris::MotionEphemeris;
-use crate::motion::sample::Sample;
+use crate::motion::sample::MotionSample;
 use std::f64::consts::PI;
 use toytop::{Complex, Motion, Orientation, Pose, TipClass};
 use toytop_model::equations::Rates;
@@ -31,11 +31,11 @@ impl TipAngle {
     }
 
     /// Sample at a time, from the orientation and the rates there.
-    pub fn sample(&self, t: f64, orientation: Orientation<f64>, rates: Rates) -> Sample {
+    pub fn sample(&self, t: f64, orientation: Orientation<f64>, rates: Rates) -> MotionSample {
         let tip = orientation.tip_over_s().scaled(self.scale);
         let pose = Pose { orientation, u: orientation.u().clamp(-1.0, 1.0), tip };
         let tip_angle = self.continued(t, orientation.alpha * orientation.beta);
-        Sample { t, pose, rates, tip_angle, error_bound: None }
+        MotionSample { t, pose, rates, tip_angle, error_bound: None }
     }
 
     /// Argument of αβ, rad, in the turn of the ephemeris' tip angle at t. Where |αβ| is too small, it is the ephemeris' angle itself.

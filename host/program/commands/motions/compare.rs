@@ -22,7 +22,7 @@ use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::Errors;
 use toytop_host::motion::full_equations;
-use toytop_host::motion::sample::Sample;
+use toytop_host::motion::sample::MotionSample;
 use toytop_host::motion::stepper::TimedStepper;
 use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::output::{self, Format, or_dash, significant};
@@ -200,7 +200,7 @@ fn compare<'a>(
 #[derive(Default)]
 struct PropagatorRun {
     /// Samples in the order of the times.
-    samples: Vec<Sample>,
+    samples: Vec<MotionSample>,
     /// Number of steps of a stepper.
     steps: Option<u64>,
     /// Segments and terms of a table.
@@ -212,7 +212,7 @@ struct PropagatorRun {
 }
 
 /// Samples at the times, and the computing time of one, ns: the median of five parts of the times.
-fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> Sample) -> (Vec<Sample>, f64) {
+fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> MotionSample) -> (Vec<MotionSample>, f64) {
     let (mut samples, mut spent) = (Vec::new(), Vec::new());
     for part in times.chunks(times.len().div_ceil(5)) {
         let started = Instant::now();
@@ -254,7 +254,7 @@ fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<Propa
 /// * `solver_states`: states of the solver at `times`, which most methods reach; computed here for the first of them
 fn greatest_errors(
     scenario: &Scenario,
-    samples: &[Sample],
+    samples: &[MotionSample],
     times: &[f64],
     solver_states: &mut Vec<FullState>,
 ) -> Result<Option<Errors>, Failure> {
@@ -264,7 +264,7 @@ fn greatest_errors(
     if states.len() != reached.len() {
         *states = full_equations::states(scenario, &reached)?;
     }
-    let error = |(sample, state): (&Sample, &FullState)| {
+    let error = |(sample, state): (&MotionSample, &FullState)| {
         Errors::between(&scenario.motion, sample, &state.orientation())
     };
     Ok(samples.iter().zip(&*states).map(error).reduce(Errors::greater))

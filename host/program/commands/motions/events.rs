@@ -14,7 +14,7 @@ use toytop_host::input::require_within;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEphemeris, MotionEvent, search};
-use toytop_host::motion::sample::Sample;
+use toytop_host::motion::sample::MotionSample;
 use toytop_host::output::{self, Format, error_text, or_dash, significant};
 
 /// Times of turning points, tilts, circles, tip angles and lift-off
@@ -143,7 +143,7 @@ struct EventRow<'a> {
 
 impl<'a> EventRow<'a> {
     fn new(argument: &'a KindArgument, event: &MotionEvent) -> Self {
-        let Sample { pose, tip_angle, .. } = &event.sample;
+        let MotionSample { pose, tip_angle, .. } = &event.sample;
         let sense = match (argument.kind, event.upward) {
             (EventKind::Turning, true) => "upper",
             (EventKind::Turning, false) => "lower",

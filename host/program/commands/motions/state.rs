@@ -19,14 +19,14 @@ use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
 use toytop_host::motion::full_equations;
-use toytop_host::motion::sample::{Sample, body_rates};
+use toytop_host::motion::sample::{MotionSample, body_rates};
 use toytop_host::motion::stepper::{self, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::output::Format;
 
 /// Function from the index of a requested time to the sample there.
-type Sampler = dyn Fn(u64) -> Sample + Sync;
+type Sampler = dyn Fn(u64) -> MotionSample + Sync;
 
 /// Orientation, rates and tip at given times
 #[derive(Args)]
@@ -165,7 +165,7 @@ fn ephemeris_sampler(
     if tick.is_some() && motion.regime() != Regime::Aperiodic {
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
-            Sample { t, ..ephemeris.at_tick(tick) }
+            MotionSample { t, ..ephemeris.at_tick(tick) }
         }));
     }
     times.require_within(ephemeris.furthest_time(), " with --method ephemeris")?;

@@ -9,7 +9,7 @@ use toytop::{Phase, Support, Top};
 use toytop_host::motion::{
     Scalar,
     ephemeris::{EventKind, EventQuery, MotionEvent, search},
-    sample::Sample,
+    sample::MotionSample,
 };
 
 /// Kind of an event by its name, with `-` or `_` between words.
@@ -63,7 +63,7 @@ impl MotionCore {
         let events = events.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
         let row = |event: &MotionEvent| {
             let error = event.time_error.unwrap_or(f64::NAN);
-            let Sample { pose, tip_angle, .. } = event.sample;
+            let MotionSample { pose, tip_angle, .. } = event.sample;
             let (up, angle) = (f64::from(event.upward), tip_angle.unwrap_or(f64::NAN));
             [event.t, error, up, pose.u, pose.tip.re, pose.tip.im, angle]
         };

@@ -1,11 +1,10 @@
 //! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
+use super::MotionSource;
 use super::events::{Condition, EventQuery, MotionEvent};
-use super::source::MotionSource;
-use crate::motion::column::SampleColumn;
-use crate::motion::sample::{Sample, unwrapped};
+use crate::motion::sample::{MotionSample, Quantity, unwrapped};
 use std::f64::consts::TAU;
-use toytop::{ErrorBound, Pose};
+use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::timed_motion::{TimedMotion, natural_time};
 
@@ -70,18 +69,11 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
 }
 
 impl MotionSource for ClosedFormSource {
-    fn sample(&self, t: f64, _: Option<i64>) -> Sample {
+    fn sample(&self, t: f64, _: Option<i64>, _: Option<Quantity>) -> MotionSample {
         let (state, tip) = self.motion.at(t);
         let error = self.motion.error_bound().after(t * self.motion.ticks_per_time);
-        Sample { error_bound: Some(error), ..Sample::from_state(t, &state, tip, Some(self.tip_angle(t))) }
-    }
-
-    fn pose(&self, t: f64) -> Pose<f64, f64> {
-        self.sample(t, None).pose
-    }
-
-    fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        column.write_each(times.iter().map(|t| self.sample(*t, None)), rows);
+        let sample = MotionSample::from_state(t, &state, tip, Some(self.tip_angle(t)));
+        MotionSample { error_bound: Some(error), ..sample }
     }
 
     /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
@@ -106,7 +98,7 @@ impl MotionSource for ClosedFormSource {
                 // at the lowest point u is least
                 let upward = sense > 0.0 && condition != Condition::Turning;
                 if query.includes(t, upward) {
-                    events.push(MotionEvent::new(condition, t, upward, self.sample(t, None)));
+                    events.push(MotionEvent::new(condition, t, upward, self.sample(t, None, None)));
                 }
             }
             (time, before) = (next, after);

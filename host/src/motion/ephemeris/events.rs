@@ -1,6 +1,6 @@
 //! Events of a motion: kinds, conditions and times.
 
-use crate::motion::sample::Sample;
+use crate::motion::sample::MotionSample;
 use toytop::{AttitudeState, Level, Motion, Orientation, ParameterError, Phase};
 
 /// Kind of an event.
@@ -73,18 +73,18 @@ pub struct MotionEvent {
     /// the rate is 0.
     pub time_error: Option<f64>,
     /// Motion at the event.
-    pub sample: Sample,
+    pub sample: MotionSample,
 }
 
 impl MotionEvent {
     /// Event at which a condition holds.
-    pub fn new(condition: Condition, t: f64, upward: bool, sample: Sample) -> Self {
+    pub fn new(condition: Condition, t: f64, upward: bool, sample: MotionSample) -> Self {
         let time_error = time_error(condition, &sample).filter(|error| error.is_finite());
         Self { t, upward, time_error, sample }
     }
 }
 
-fn time_error(condition: Condition, sample: &Sample) -> Option<f64> {
+fn time_error(condition: Condition, sample: &MotionSample) -> Option<f64> {
     let bound = sample.error_bound? + f64::EPSILON;
     match condition {
         Condition::Turning => None,

@@ -1,10 +1,9 @@
 //! Table of the core on the heap.
 
+use super::MotionSource;
 use super::events::{Condition, EventQuery, MotionEvent};
-use super::source::MotionSource;
 use crate::Failure;
-use crate::motion::column::SampleColumn;
-use crate::motion::sample::{Sample, SampleQuantities, unwrapped};
+use crate::motion::sample::{MotionSample, Quantity, unwrapped};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 use toytop::scalar::Float;
@@ -82,19 +81,9 @@ impl<R: TableScalar> MotionSource for HeapTable<R>
 where
     Self: Send + Sync,
 {
-    fn sample(&self, t: f64, tick: Option<i64>) -> Sample {
+    fn sample(&self, t: f64, tick: Option<i64>, only: Option<Quantity>) -> MotionSample {
         let table = self.table();
-        let now = tick.map_or_else(|| table.at(t), |n| table.at_tick(n));
-        Sample::new(&TableSample { table, now, t })
-    }
-
-    fn pose(&self, t: f64) -> Pose<f64, f64> {
-        TableSample::new(self.table(), t).pose()
-    }
-
-    fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        let table = self.table();
-        column.write_each(times.iter().map(|t| TableSample::new(table, *t)), rows);
+        sample(table, &tick.map_or_else(|| table.at(t), |n| table.at_tick(n)), t, only)
     }
 
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
@@ -114,7 +103,7 @@ where
             let t = table.time_of(&event);
             if query.includes(t, event.upward) {
                 unwanted = 0;
-                let sample = Sample::new(&TableSample { table, now: table.at_event(&event), t });
+                let sample = sample(table, &table.at_event(&event), t, None);
                 included.push(MotionEvent::new(condition, t, event.upward, sample));
             } else {
                 unwanted += 1;
@@ -127,47 +116,36 @@ where
     }
 }
 
-/// Sample of a table at the time t.
-struct TableSample<'a, R: TableScalar> {
-    table: &'a Table<R>,
-    now: toytop::Sample<'a, R>,
+/// Sample of a table in `f64` at the time t.
+///
+/// * `only`: quantity that is computed; without it, all of them
+fn sample<R: TableScalar>(
+    table: &Table<R>,
+    now: &toytop::Sample<'_, R>,
     t: f64,
-}
-
-impl<'a, R: TableScalar> TableSample<'a, R> {
-    fn new(table: &'a Table<R>, t: f64) -> Self {
-        Self { table, now: table.at(t), t }
+    only: Option<Quantity>,
+) -> MotionSample {
+    let needs = |quantity| only.is_none_or(|only| only == quantity);
+    let [rate, _] = table.clock().ticks_per_time;
+    let mut sample =
+        MotionSample { t, error_bound: Some(table.error_bound().after(t * rate)), ..MotionSample::EMPTY };
+    if needs(Quantity::Pose) {
+        let Pose { orientation, u, tip } = now.pose();
+        sample.pose =
+            Pose { orientation: orientation.map(R::into), u: u.into(), tip: tip.map(Float::to_f64) };
     }
-}
-
-impl<R: TableScalar> SampleQuantities for TableSample<'_, R> {
-    fn t(&self) -> f64 {
-        self.t
+    if needs(Quantity::Omega) {
+        sample.rates.omega = now.omega().map(Float::to_f64);
     }
-
-    fn pose(&self) -> Pose<f64, f64> {
-        let Pose { orientation, u, tip } = self.now.pose();
-        Pose { orientation: orientation.map(R::into), u: u.into(), tip: tip.map(Float::to_f64) }
+    if needs(Quantity::OmegaBody) {
+        sample.rates.omega_body = now.omega_body().map(Float::to_f64);
     }
-
-    fn omega(&self) -> [f64; 3] {
-        self.now.omega().map(Float::to_f64)
+    if needs(Quantity::Udot) {
+        sample.rates.udot = now.udot().to_f64();
     }
-
-    fn omega_body(&self) -> [f64; 3] {
-        self.now.omega_body().map(Float::to_f64)
+    if needs(Quantity::TipAngle) {
+        let near = table.mean_tip_angle_rate() * t / TAU;
+        sample.tip_angle = now.tip_angle().map(|angle| unwrapped(angle, near));
     }
-
-    fn udot(&self) -> f64 {
-        self.now.udot().to_f64()
-    }
-
-    fn tip_angle(&self) -> Option<f64> {
-        self.now.tip_angle().map(|angle| unwrapped(angle, self.table.mean_tip_angle_rate() * self.t / TAU))
-    }
-
-    fn error_bound(&self) -> Option<f64> {
-        let [rate, _] = self.table.clock().ticks_per_time;
-        Some(self.table.error_bound().after(self.t * rate))
-    }
+    sample
 }

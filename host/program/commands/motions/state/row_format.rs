@@ -5,7 +5,7 @@ use serde_json::Value;
 use toytop::Support;
 use toytop_host::input::scenario::Units;
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::sample::Sample;
+use toytop_host::motion::sample::MotionSample;
 use toytop_host::output::{Format, csv_line, json, significant};
 
 /// Columns of the rows, the units of their numbers, and the form in which they are written.
@@ -31,7 +31,7 @@ impl RowFormat {
     }
 
     /// Row of this index.
-    pub fn row(&self, index: u64, sample: &Sample) -> String {
+    pub fn row(&self, index: u64, sample: &MotionSample) -> String {
         let entry = |column: &SampleColumn| {
             let numbers = column.numbers(sample);
             let value: Value = if let [x] = numbers[..] { x.into() } else { numbers.into() };
@@ -67,7 +67,7 @@ impl RowFormat {
     }
 
     /// Sample over several lines.
-    fn block(&self, sample: &Sample) -> String {
+    fn block(&self, sample: &MotionSample) -> String {
         let line = |column: &SampleColumn| {
             let digits = match column {
                 SampleColumn::T => 17,
