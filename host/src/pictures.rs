@@ -15,7 +15,6 @@ use crate::motion::Scalar;
 use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::sample::MotionSample;
 use crate::output::significant;
-use toytop::Motion;
 use toytop_model::display_duration::{cycle, display_duration, periods};
 use toytop_model::timed_motion::TimedMotion;
 
@@ -42,11 +41,10 @@ impl MotionSpan {
     /// # Errors
     /// [`Failure::Input`]: times beyond the reach of the ephemeris, or too many cycles. [`Failure::Method`]: no ephemeris is large
     /// enough.
-    pub fn new(motion: &Motion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
+    pub fn new(motion: &TimedMotion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
         let ephemeris = MotionEphemeris::new(motion, Scalar::F64)?;
         require_within(times.into_iter().flatten(), ephemeris.furthest_time(), " s")?;
-        let constants = TimedMotion::new(*motion);
-        let (regime, cycle) = (motion.regime(), cycle(&constants));
+        let (regime, cycle) = (motion.regime(), cycle(motion));
         let longest = most_cycles * cycle;
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)
             && !regime.is_vertical()
@@ -56,9 +54,9 @@ impl MotionSpan {
             let reason = format!("must span at most {longest} ({most_cycles} nutation periods or turns)");
             return Err(Failure::Input(format!("{from}..{until}: {reason}")));
         }
-        let periods = periods(&constants).filter(|_| times.is_none());
+        let periods = periods(motion).filter(|_| times.is_none());
         let ends =
-            times.unwrap_or_else(|| [0.0, display_duration(&constants, |t| ephemeris.pose(t).tip.modulus())]);
+            times.unwrap_or_else(|| [0.0, display_duration(motion, |t| ephemeris.pose(t).tip.modulus())]);
         Ok(Self { ephemeris, ends, periods, cycle })
     }
 

@@ -1,6 +1,6 @@
 //! Duration that a picture of a motion shows.
 
-use crate::timed_motion::{TimedMotion, natural_time};
+use crate::timed_motion::TimedMotion;
 use core::f64::consts::PI;
 use toytop::Regime;
 use toytop::scalar::Float;
@@ -15,19 +15,19 @@ pub fn display_duration(motion: &TimedMotion, tip_distance: impl Fn(f64) -> f64)
     }
     let one_plus_e1 = motion.branch_points().one_plus_e1;
     let greatest = motion.top().tip_scale() * Float::sqrt(one_plus_e1 * (2.0 - one_plus_e1));
-    let step = 0.25 * natural_time(motion);
+    let step = 0.25 * motion.characteristic_time();
     let is_outside = |n: &u32| tip_distance(step * f64::from(*n)) > 4e-3 * greatest;
     step * f64::from((1..4096).rev().find(is_outside).unwrap_or(0) + 1)
 }
 
-/// Time after which the axis repeats its motion, s: the nutation period, or a turn about the vertical where the tilt is constant. It is
-/// the natural time of a motion that has neither.
+/// Time after which the axis repeats its motion, s: the nutation period, or a turn about the vertical where the tilt is constant. A motion
+/// that has neither gets its characteristic time.
 pub fn cycle(motion: &TimedMotion) -> f64 {
     let turn = 2.0 * PI / Float::abs(motion.phi_per_period()) * motion.period();
     match motion.regime() {
         Regime::Nutating => motion.period(),
         regime if regime.is_regular_precession() && turn.is_finite() => turn,
-        _ => natural_time(motion),
+        _ => motion.characteristic_time(),
     }
 }
 

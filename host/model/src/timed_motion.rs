@@ -2,7 +2,6 @@
 
 use crate::equations::{cross, dot};
 use core::array::from_fn;
-use core::cell::OnceCell;
 use core::f64::consts::PI;
 use core::ops::Deref;
 use toytop::scalar::{Float, Real, Ring};
@@ -104,31 +103,32 @@ static TOP_AND_START: [Constant; 20] = [
 /// Greatest number of ticks from t = 0 at which a table is evaluated. They are counted in 64 bits.
 pub const MAX_TICKS: f64 = (1_u64 << 62) as f64;
 
-/// Motion whose period is integrated once, where it is first needed.
+/// Motion with its period, which is integrated once.
+#[derive(Clone, Copy)]
 pub struct TimedMotion {
     motion: Motion,
-    advance: OnceCell<Option<PeriodAdvance>>,
+    advance: Option<PeriodAdvance>,
 }
 
 impl TimedMotion {
-    /// Constants of a motion.
+    /// Motion with its period, which is integrated here.
     pub fn new(motion: Motion) -> Self {
-        Self { motion, advance: OnceCell::new() }
+        Self { motion, advance: motion.period_advance() }
     }
 
-    /// Period and advances, integrated at the first call.
-    fn advance(&self) -> Option<PeriodAdvance> {
-        *self.advance.get_or_init(|| self.period_advance())
+    /// Period and advances, as [`Motion::period_advance`] computes them.
+    pub fn period_advance(&self) -> Option<PeriodAdvance> {
+        self.advance
     }
 
     /// Period, s; NaN where there is none.
     pub fn period(&self) -> f64 {
-        self.advance().map_or(f64::NAN, |advance| advance.period)
+        self.advance.map_or(f64::NAN, |advance| advance.period)
     }
 
     /// Nutation period of a motion that nutates, T₀ of any other, s.
-    pub fn time_scale(&self) -> f64 {
-        match self.advance() {
+    pub fn characteristic_time(&self) -> f64 {
+        match self.advance {
             Some(advance) if self.regime() == Regime::Nutating => advance.period,
             _ => natural_time(self),
         }
@@ -139,7 +139,7 @@ impl TimedMotion {
         /// A [`Tick`] has 32 bits on both sides.
         const MOST: f64 = (1_u32 << 31) as f64;
         let omega = at_start(self).omega();
-        let fastest = Float::sqrt(dot(omega, omega)).max(1000.0 / self.time_scale());
+        let fastest = Float::sqrt(dot(omega, omega)).max(1000.0 / self.characteristic_time());
         let mut rate = MOST.recip();
         while rate < fastest.min(MOST) {
             rate *= 2.0;
@@ -155,7 +155,7 @@ impl TimedMotion {
     /// Greatest distance from t = 0 at which a closed form is evaluated, s. Where e₃ = e₄ holds up to rounding, its error grows by up to
     /// 5e-14 rad in a period.
     pub fn furthest_time_of_closed_form(&self) -> f64 {
-        1e12 * self.time_scale()
+        1e12 * self.characteristic_time()
     }
 
     /// Tick of this rate.
@@ -168,7 +168,7 @@ impl TimedMotion {
     /// Advance of an angle in a period; exactly 0 if l = n = 0, where the axis stays in a vertical plane.
     fn advance_of(&self, angle: fn(&PeriodAdvance) -> f64) -> f64 {
         let integrals = self.first_integrals();
-        match self.advance() {
+        match self.advance {
             Some(_) if integrals.l == 0.0 && integrals.n == 0.0 => 0.0,
             advance => advance.as_ref().map_or(f64::NAN, angle),
         }
@@ -221,7 +221,7 @@ fn critical_spin(motion: &Motion) -> f64 {
 
 /// Natural time T₀ = 2π √((A/p + s)/g) of the top for motions that have no period, s. Without torque it is the time in which
 /// the axis turns once about the angular momentum, and 1 for a body at rest.
-pub fn natural_time(motion: &Motion) -> f64 {
+fn natural_time(motion: &TimedMotion) -> f64 {
     let top = motion.top();
     if top.is_torque_free() {
         return motion.period_advance().map_or(1.0, |advance| advance.period);

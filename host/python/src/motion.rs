@@ -10,7 +10,7 @@ use crate::arguments::{NumericArg, failed, renamed, value_error, within};
 use crate::samples::{Sampler, SharedEphemeris, Source};
 use crate::top::TopCore;
 use pyo3::prelude::*;
-use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
+use std::sync::{Arc, OnceLock};
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
 use toytop_host::motion::ephemeris::MotionEphemeris;
@@ -26,9 +26,8 @@ pub(crate) struct MotionCore {
     #[pyo3(get)]
     pub(crate) top: TopCore,
     pub(crate) launch: Launch,
-    pub(crate) motion: Motion,
-    /// Motion with its period, which is integrated once.
-    constants: Mutex<TimedMotion>,
+    /// Motion with its period.
+    pub(crate) motion: TimedMotion,
     tables: [OnceLock<Result<SharedEphemeris, String>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
     pub(crate) truth: OnceLock<Quadrature>,
@@ -44,9 +43,8 @@ pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
 }
 
 impl MotionCore {
-    pub(crate) fn new(top: TopCore, launch: Launch, motion: Motion) -> Self {
-        let constants = Mutex::new(TimedMotion::new(motion));
-        Self { top, launch, motion, constants, tables: Default::default(), truth: OnceLock::new() }
+    pub(crate) fn new(top: TopCore, launch: Launch, motion: TimedMotion) -> Self {
+        Self { top, launch, motion, tables: Default::default(), truth: OnceLock::new() }
     }
 
     /// Motion from a state, with this name of the rates in error messages.
@@ -55,11 +53,7 @@ impl MotionCore {
     /// `ValueError` that names the parameter.
     pub(crate) fn from_state(top: &TopCore, state: &State, rate: &str) -> PyResult<Self> {
         let motion = Motion::launch(&top.top, state).map_err(|error| renamed(error, &[("omega", rate)]))?;
-        Ok(Self::new(*top, Launch::from(state), motion))
-    }
-
-    pub(crate) fn constants(&self) -> MutexGuard<'_, TimedMotion> {
-        self.constants.lock().unwrap_or_else(PoisonError::into_inner)
+        Ok(Self::new(*top, Launch::from(state), TimedMotion::new(motion)))
     }
 
     /// Table in a scalar, set up at its first use.
@@ -90,7 +84,7 @@ impl MotionCore {
     /// # Errors
     /// `ValueError`: one of the times is beyond them.
     pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
-        within(self.constants().furthest_time(), times)
+        within(self.motion.furthest_time(), times)
     }
 }
 
@@ -121,7 +115,7 @@ impl MotionCore {
     /// Constant of this name; NaN where it does not exist.
     pub(crate) fn constant(&self, name: &str) -> f64 {
         let value = number_constants().find(|(known, _)| *known == name);
-        value.map_or(f64::NAN, |(_, value)| value(&self.constants()))
+        value.map_or(f64::NAN, |(_, value)| value(&self.motion))
     }
 
     #[getter]

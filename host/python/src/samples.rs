@@ -8,7 +8,8 @@ use pyo3::prelude::*;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
-use toytop::{Motion, Orientation};
+use toytop::Orientation;
+use toytop_host::motion::TimedMotion;
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::motion::{column::SampleColumn, ephemeris::MotionEphemeris, sample::MotionSample};
 use toytop_model::equations::Rates;
@@ -65,7 +66,7 @@ impl Sampler {
     pub(crate) fn by_method(
         py: Python<'_>,
         times: NumericArg,
-        motion: &Motion,
+        motion: &TimedMotion,
         error_bound: Option<f64>,
         at: impl Fn(f64) -> (Orientation<f64>, Rates) + Send + Sync,
     ) -> PyResult<Self> {

@@ -2,6 +2,7 @@
 
 use crate::input::scenario::{Launch, Scenario, Units};
 use toytop::{InitialAngles, Motion, Sign, Signs, Top, TopParameters};
+use toytop_model::timed_motion::TimedMotion;
 
 /// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
 pub fn scenarios() -> Vec<Scenario> {
@@ -66,7 +67,7 @@ fn curve(name: String, top: [f64; 4], e: [f64; 3], signs: Signs) -> Scenario {
         Top::sliding(&parameters).and_then(|top| Motion::from_branch_points(&top, e, signs, &phases));
     Scenario {
         name,
-        motion: motion.expect("a valid motion"),
+        motion: TimedMotion::new(motion.expect("a valid motion")),
         top: parameters,
         launch: Launch::BranchPoints { e, signs, phases },
         units: Units::None,

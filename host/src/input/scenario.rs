@@ -15,8 +15,9 @@ use crate::{Failure, Refusal, excerpt};
 use serde_json::json;
 use std::path::Path;
 use toml::{Table, Value};
-use toytop::{InitialAngles, Motion, Top, TopParameters};
+use toytop::{InitialAngles, Top, TopParameters};
 use toytop_model::parameters::SUPPORTS;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]
@@ -42,8 +43,8 @@ impl Units {
 pub struct Scenario {
     /// Name in reports.
     pub name: String,
-    /// Motion, with its top.
-    pub motion: Motion,
+    /// Motion, with its top and its period.
+    pub motion: TimedMotion,
     /// Numbers of the top as they are given.
     pub top: TopParameters,
     /// State of the launch, or its branch points.
@@ -131,7 +132,13 @@ impl ScenarioFile {
         };
         let (top, parameters) = self.top()?;
         let (motion, launch) = motion::read(&self.section("motion")?, &top)?;
-        Ok(Scenario { name: self.name.clone(), motion, top: parameters, launch, units })
+        Ok(Scenario {
+            name: self.name.clone(),
+            motion: TimedMotion::new(motion),
+            top: parameters,
+            launch,
+            units,
+        })
     }
 
     fn section(&self, name: &'static str) -> Result<Section<'_>, Failure> {

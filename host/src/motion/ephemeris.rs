@@ -67,15 +67,14 @@ impl MotionEphemeris {
     ///
     /// # Errors
     /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-    pub fn new(motion: &Motion, settings: impl Into<EphemerisSettings>) -> Result<Self, Failure> {
+    pub fn new(motion: &TimedMotion, settings: impl Into<EphemerisSettings>) -> Result<Self, Failure> {
         let EphemerisSettings { scalar, tick, truncation } = settings.into();
-        let constants = TimedMotion::new(*motion);
         if motion.regime() == Regime::Aperiodic {
-            let form = ClosedFormSource::new(&constants).filter(|_| scalar == Scalar::F64);
+            let form = ClosedFormSource::new(motion).filter(|_| scalar == Scalar::F64);
             let reason = "an aperiodic motion has a closed form in f64, and no table";
             return form.map(Self::from_closed_form).ok_or_else(|| Failure::Method(reason.to_owned()));
         }
-        let tick = tick.unwrap_or_else(|| constants.tick());
+        let tick = tick.unwrap_or_else(|| motion.tick());
         let settings = TableSettings { truncation, ..TableSettings::new(tick) };
         match scalar {
             Scalar::F64 => Self::from_table::<f64>(motion, &settings),
@@ -163,7 +162,7 @@ mod tests {
     use super::*;
     use toytop::{InitialAngles, Signs, Top, TopParameters};
 
-    fn motion(a: f64, e: [f64; 3]) -> Motion {
+    fn motion(a: f64, e: [f64; 3]) -> TimedMotion {
         let top = Top::sliding(&TopParameters {
             transverse_inertia: a,
             axial_inertia: 0.8 * a,
@@ -173,7 +172,8 @@ mod tests {
             ..TopParameters::default()
         })
         .unwrap();
-        Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default()).unwrap()
+        let motion = Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default());
+        TimedMotion::new(motion.unwrap())
     }
 
     #[test]
@@ -181,10 +181,9 @@ mod tests {
         for motion in
             [motion(1.0, [0.2, 0.8, 1.5]), motion(1e-6, [0.2, 0.8, 1e6]), motion(1e9, [0.2, 0.8, 1.5])]
         {
-            let constants = TimedMotion::new(motion);
-            let (rate, period) = (constants.ticks_per_time(), constants.time_scale());
+            let (rate, period) = (motion.ticks_per_time(), motion.characteristic_time());
             assert!(rate * period >= 1000.0 && rate.log2().fract() == 0.0);
-            assert!(constants.furthest_time() / period >= 1e10);
+            assert!(motion.furthest_time() / period >= 1e10);
         }
     }
 
@@ -199,10 +198,10 @@ mod tests {
     }
 
     /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
-    fn sizes_chosen<R: TableScalar>(scalar: Scalar, motions: &[Motion]) -> Vec<usize> {
-        let chosen = |motion: &Motion| {
+    fn sizes_chosen<R: TableScalar>(scalar: Scalar, motions: &[TimedMotion]) -> Vec<usize> {
+        let chosen = |motion: &TimedMotion| {
             let table = MotionEphemeris::new(motion, scalar).unwrap();
-            let settings = TableSettings::new(TimedMotion::new(*motion).tick());
+            let settings = TableSettings::new(motion.tick());
             for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < table.segments) {
                 let refused = HeapTable::<R>::new(motion, &settings, segments..=segments).is_err();
                 assert!(refused, "{segments} segments would do");

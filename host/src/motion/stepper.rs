@@ -114,7 +114,7 @@ mod tests {
 
     /// Greatest difference of elapsed and requested time over a million requests, s: 0 in f64, the rounding of one last step in f32.
     fn greatest_gap<R: Real>() -> f64 {
-        let step = TimedMotion::new(motion()).time_scale() / 4096.0;
+        let step = TimedMotion::new(motion()).characteristic_time() / 4096.0;
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);

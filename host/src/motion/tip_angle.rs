@@ -1,10 +1,10 @@
 //! Tip angle for methods without one: arg(αβ), with whole turns from the ephemeris.
 
-use crate::motion::Scalar;
 use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::sample::MotionSample;
+use crate::motion::{Scalar, TimedMotion};
 use std::f64::consts::PI;
-use toytop::{Complex, Motion, Orientation, Pose, TipClass};
+use toytop::{Complex, Orientation, Pose, TipClass};
 use toytop_model::equations::Rates;
 
 /// Least |αβ| whose argument is known: an error of 1e-14 in α and β changes it by 1e-5 rad.
@@ -22,7 +22,7 @@ pub struct TipAngle {
 
 impl TipAngle {
     /// Tip angle of a motion. Samples have none where there is no ephemeris.
-    pub fn new(motion: &Motion) -> Self {
+    pub fn new(motion: &TimedMotion) -> Self {
         let ephemeris =
             MotionEphemeris::new(motion, Scalar::F64).ok().filter(|_| !motion.regime().is_vertical());
         let signed = matches!(motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);

@@ -1,6 +1,7 @@
 //! Curve of the tip, and the limits between which the axis and the tip stay.
 
 use crate::Failure;
+use crate::motion::TimedMotion;
 use crate::pictures::{MAX_CYCLES, MotionSpan};
 use toytop::{Motion, Support};
 
@@ -54,7 +55,7 @@ impl TipCurve {
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
-    pub fn new(motion: &Motion) -> Result<Self, Failure> {
+    pub fn new(motion: &TimedMotion) -> Result<Self, Failure> {
         Ok(Self::over(motion, &MotionSpan::new(motion, None, MAX_CYCLES)?))
     }
 
@@ -132,7 +133,8 @@ mod tests {
         })
         .unwrap();
         for (top, scale) in [(slid, -0.03), (held, 1.0)] {
-            let curve = TipCurve::new(&Motion::launch(&top, &state).unwrap()).unwrap();
+            let motion = TimedMotion::new(Motion::launch(&top, &state).unwrap());
+            let curve = TipCurve::new(&motion).unwrap();
             let [at_x, at_y] = curve.points[0];
             assert!((at_x - scale * x).hypot(at_y - scale * y) < 1e-6 * scale.abs(), "{at_x} {at_y}");
         }

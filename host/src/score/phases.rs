@@ -17,7 +17,7 @@ use crate::motion::ephemeris::MotionEphemeris;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use serde::Serialize;
 use std::f64::consts::PI;
-use toytop::{Complex, Motion, Orientation, Regime};
+use toytop::{Complex, Orientation, Regime};
 
 /// Phase errors of a trajectory over some rows, above 0 where it is ahead of the motion.
 #[derive(Default, Serialize)]
@@ -38,14 +38,18 @@ const MIN_ROWS: usize = 8;
 /// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
 ///
 /// The fit goes through all periods, so that it recognises errors of more than half a turn.
-pub fn phase_errors(motion: &Motion, ephemeris: &MotionEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
+pub fn phase_errors(
+    motion: &TimedMotion,
+    ephemeris: &MotionEphemeris,
+    rows: &[TrajectoryRow],
+) -> PhaseErrors {
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],
         Regime::Aperiodic => return PhaseErrors::default(),
         regime if regime.is_vertical() => [false, false, true],
         _ => [false, true, true],
     };
-    let period = TimedMotion::new(*motion).time_scale();
+    let period = motion.characteristic_time();
     let rates = motion.period_advance().map_or([0.0; 3], |advance| {
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });

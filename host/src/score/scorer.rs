@@ -11,11 +11,11 @@ use crate::motion::{Scalar, TimedMotion};
 use serde::Serialize;
 use std::array::from_fn;
 use std::f64::consts::PI;
-use toytop::{Motion, Orientation};
+use toytop::Orientation;
 
 /// Exact motion that trajectories are compared with.
 pub struct Scorer<'a> {
-    motion: &'a Motion,
+    motion: &'a TimedMotion,
     ephemeris: MotionEphemeris,
     /// Command that prints the state from which a run has to start.
     start: String,
@@ -120,8 +120,7 @@ impl<'a> Scorer<'a> {
         let exact = self.ephemeris.at(first.t);
         let [error, _] = self.errors(first);
         let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
-        let speed =
-            distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / TimedMotion::new(*self.motion).time_scale());
+        let speed = distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / self.motion.characteristic_time());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
         let tip_error = self.tip_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");

@@ -3,6 +3,7 @@
 use crate::input::scenario::Launch;
 use toytop::{Motion, ParameterError, State, Support, TopParameters};
 use toytop_model::parameters;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Numbers of a top and of its launch, taken as exact.
 #[derive(Clone, Copy, Debug)]
@@ -16,15 +17,16 @@ pub struct MotionInput {
 }
 
 impl MotionInput {
-    /// Motion of the core.
+    /// Motion with its period.
     ///
     /// # Errors
     /// The errors of a top, a state and a launch.
-    pub fn motion(&self) -> Result<Motion, ParameterError> {
+    pub fn motion(&self) -> Result<TimedMotion, ParameterError> {
         let top = parameters::top(self.support, &self.top)?;
-        match self.launch {
+        let motion = match self.launch {
             Launch::BranchPoints { e, signs, phases } => Motion::from_branch_points(&top, e, signs, &phases),
             Launch::State { orientation, omega } => Motion::launch(&top, &State::new(orientation, omega)?),
-        }
+        };
+        motion.map(TimedMotion::new)
     }
 }

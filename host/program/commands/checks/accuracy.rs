@@ -15,9 +15,9 @@ use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, Scenario};
+use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::Errors;
-use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::output::{self, Format};
 use toytop_host::truth::float640::{from_f64, from_i64};
 use toytop_host::truth::motion_input::MotionInput;
@@ -151,7 +151,7 @@ fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<E
     let ephemerides =
         scalars.iter().map(|&scalar| MotionEphemeris::new(&motion, scalar)).collect::<Result<Vec<_>, _>>()?;
     let truth = Quadrature::new(input);
-    let rate = TimedMotion::new(motion).ticks_per_time();
+    let rate = motion.ticks_per_time();
     let mut random = Random::new(1, 0);
     let mut errors = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
     for octave in 0..=OCTAVES {

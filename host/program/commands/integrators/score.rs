@@ -16,7 +16,6 @@ use serde_json::json;
 use std::path::{Path, PathBuf};
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::TimedMotion;
 use toytop_host::output::{self, Format, error_text, or_dash, significant};
 use toytop_host::score::order;
 use toytop_host::score::scorer::{Score, Scorer};
@@ -202,7 +201,7 @@ fn draw(
     integrators: &[Integrator],
 ) -> Result<(), Failure> {
     let counted = files.iter().all(|file| file.evaluations.is_some());
-    let period = TimedMotion::new(scenario.motion).time_scale();
+    let period = scenario.motion.characteristic_time();
     let point = |file: &ScoredFile| {
         let steps = file.step.map(|step| period / step);
         let work = if counted { file.evaluations } else { steps }.ok_or_else(|| {

@@ -14,7 +14,6 @@ use serde_json::json;
 use std::iter::once;
 use std::path::PathBuf;
 use std::time::Instant;
-use toytop::Motion;
 use toytop::scalar::Real;
 use toytop_host::Failure;
 use toytop_host::input::builtin;
@@ -224,8 +223,8 @@ fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> MotionSample) -> 
 }
 
 /// Run of the stepper through the times.
-fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> PropagatorRun {
-    let step = TimedMotion::new(*motion).time_scale() / f64::from(steps_per_period(scalar));
+fn run_stepper<R: Real>(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> PropagatorRun {
+    let step = motion.characteristic_time() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
     let (samples, ns) = timed_samples(times, |t| {
         timed.advance_to(t, |_| ());
@@ -239,7 +238,7 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &Motion, times: &[f64]) -> Propa
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-fn run_ephemeris(scalar: Scalar, motion: &Motion, times: &[f64]) -> Result<PropagatorRun, Failure> {
+fn run_ephemeris(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Result<PropagatorRun, Failure> {
     let ephemeris = MotionEphemeris::new(motion, scalar)?;
     let (samples, ns) = timed_samples(times, |t| ephemeris.at(t));
     let ticks = times.last().map_or(0.0, |last| last * ephemeris.ticks_per_time);

@@ -10,7 +10,7 @@ use toytop_host::Failure;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::constant_as_json;
 use toytop_host::output::{self, Format, significant};
-use toytop_model::timed_motion::{CONSTANTS, Constant, TimedMotion};
+use toytop_model::timed_motion::{CONSTANTS, Constant};
 
 /// First integrals, branch points, period and mean rotations
 #[derive(Args)]
@@ -30,9 +30,10 @@ pub struct ConstantsArgs {
 
 pub fn run(arguments: &ConstantsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
-    let motion = TimedMotion::new(scenario.motion);
-    let values: Value =
-        CONSTANTS.iter().map(|constant| (constant.name, constant_as_json(constant, &motion))).collect();
+    let values: Value = CONSTANTS
+        .iter()
+        .map(|constant| (constant.name, constant_as_json(constant, &scenario.motion)))
+        .collect();
     let table = || {
         let line = |constant: &Constant| {
             let unit = constant.unit;

@@ -16,13 +16,13 @@ use toytop::{Regime, Tick};
 use toytop_closed_forms::ClosedForm;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
+use toytop_host::motion::Scalar;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
 use toytop_host::motion::full_equations;
 use toytop_host::motion::sample::{MotionSample, body_rates};
 use toytop_host::motion::stepper::{self, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
-use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::output::Format;
 
 /// Function from the index of a requested time to the sample there.
@@ -120,8 +120,7 @@ fn sampler(
             return Err(Failure::Input(format!("--method stepper: {reason}")));
         }
         (Method::Stepper, scalar) => {
-            let step = TimedMotion::new(*motion).time_scale()
-                / f64::from(arguments.steps_per_period.unwrap_or(4096));
+            let step = motion.characteristic_time() / f64::from(arguments.steps_per_period.unwrap_or(4096));
             let option = arguments.steps_per_period.map_or(&*times.option, |_| "--steps-per-period");
             let steps = steps_needed(&times.seconds, step).map_err(|failure| failure.with_context(option))?;
             let progress = Progress::new(steps, "steps");
@@ -177,7 +176,7 @@ fn closed_form_sampler(scenario: &Scenario, times: Times) -> Result<Box<Sampler>
     let motion = &scenario.motion;
     let form = ClosedForm::from_motion(motion)
         .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
-    let furthest = TimedMotion::new(*motion).furthest_time_of_closed_form();
+    let furthest = motion.furthest_time_of_closed_form();
     times.require_within(furthest, " with --method closed-form")?;
     let angle = TipAngle::new(motion);
     Ok(Box::new(move |index| {

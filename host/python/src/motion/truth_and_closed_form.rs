@@ -6,7 +6,6 @@ use crate::motion::MotionCore;
 use crate::samples::Sampler;
 use crate::top::TopCore;
 use pyo3::prelude::*;
-use toytop::Motion;
 use toytop_closed_forms::ClosedForm;
 use toytop_host::motion::TimedMotion;
 use toytop_host::motion::sample::body_rates;
@@ -17,7 +16,7 @@ use toytop_host::truth::quadrature::Quadrature;
 /// Rust side of `toytop.ClosedForm`.
 #[pyclass(module = "toytop._toytop", frozen)]
 pub(crate) struct ClosedFormCore {
-    motion: Motion,
+    motion: TimedMotion,
     form: ClosedForm,
 }
 
@@ -43,7 +42,7 @@ impl ClosedFormCore {
 
     /// Samples at these times.
     fn at(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
-        within(TimedMotion::new(self.motion).furthest_time_of_closed_form(), &t.numbers)?;
+        within(self.motion.furthest_time_of_closed_form(), &t.numbers)?;
         Sampler::by_method(py, t, &self.motion, None, |t| {
             let state = self.form.at(t);
             (state.orientation, body_rates(&state))
@@ -59,7 +58,7 @@ impl MotionCore {
     /// Samples of the truth at these times.
     fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
         self.within_reach(&t.numbers)?;
-        let (truth, unit) = (py.detach(|| self.truth()), self.constants().time_scale());
+        let (truth, unit) = (py.detach(|| self.truth()), self.motion.characteristic_time());
         Sampler::by_method(py, t, &self.motion, Some(ROUNDING), |t| {
             (truth.at(&from_f64(t)).to_f64(), truth.rates(&from_f64(t), unit))
         })

@@ -6,7 +6,7 @@ use crate::motion::sample::{MotionSample, Quantity, unwrapped};
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::timed_motion::{TimedMotion, natural_time};
+use toytop_model::timed_motion::TimedMotion;
 
 /// Closed form, with what a search for events needs.
 pub struct ClosedFormSource {
@@ -26,10 +26,10 @@ const INTERVALS: i32 = 8192;
 
 impl ClosedFormSource {
     /// Closed form of a motion; `None` if it is not aperiodic.
-    pub fn new(constants: &TimedMotion) -> Option<Self> {
-        let motion = AperiodicMotion::new(constants)?;
+    pub fn new(motion: &TimedMotion) -> Option<Self> {
+        let mut upright = motion.characteristic_time();
+        let motion = AperiodicMotion::new(motion)?;
         let form = &motion.form;
-        let mut upright = natural_time(constants);
         while form.v(upright) < UPRIGHT || form.v(-upright) > -UPRIGHT {
             upright *= 2.0;
         }

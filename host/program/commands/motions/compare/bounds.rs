@@ -76,8 +76,8 @@ const MAX_GROWTH: f64 = 1e4;
 
 /// Time of `periods` periods, s, or a shorter one with the reason: an aperiodic motion is followed until shortly before the axis reaches
 /// the vertical, from where the solution of the full equations falls again.
-pub fn compared_time(motion: &Motion, periods: u32) -> (f64, Option<String>) {
-    let time = TimedMotion::new(*motion).time_scale() * f64::from(periods);
+pub fn compared_time(motion: &TimedMotion, periods: u32) -> (f64, Option<String>) {
+    let time = motion.characteristic_time() * f64::from(periods);
     if motion.regime() != Regime::Aperiodic {
         return (time, None);
     }

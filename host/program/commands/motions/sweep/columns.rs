@@ -5,7 +5,6 @@ use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
 use std::str::FromStr;
-use toytop::Motion;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
 use toytop_host::motion::errors::greater_or_infinite;
@@ -100,9 +99,8 @@ pub struct RowMotion {
 
 impl RowMotion {
     /// Motion with `count` times spread over this many periods.
-    pub fn new(motion: Motion, count: u32, periods: f64) -> Self {
-        let motion = TimedMotion::new(motion);
-        let times = spread_times(periods * motion.time_scale(), count);
+    pub fn new(motion: TimedMotion, count: u32, periods: f64) -> Self {
+        let times = spread_times(periods * motion.characteristic_time(), count);
         Self { motion, times, f64_ephemeris: OnceCell::new(), f32_ephemeris: OnceCell::new() }
     }
 

@@ -5,10 +5,10 @@
 use super::columns::{RowMotion, SweepColumn};
 use crate::arguments::values::Values;
 use serde_json::Value;
-use toytop::Motion;
 use toytop_host::Failure;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::ScenarioFile;
+use toytop_host::motion::TimedMotion;
 use toytop_host::output::{csv_line, significant};
 
 /// Greatest number of motions.
@@ -91,7 +91,7 @@ impl Sweep {
         self.varied.iter().map(number).collect()
     }
 
-    fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<Motion, Failure> {
+    fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<TimedMotion, Failure> {
         Ok(self.template.with_numbers(numbers)?.motion)
     }
 

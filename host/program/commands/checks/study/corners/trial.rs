@@ -1,7 +1,7 @@
 //! Trial of one launch: its ephemeris in each scalar, compared with the truth and with its own bounds.
 
 use super::random_launch;
-use toytop::{Motion, ParameterError, Regime};
+use toytop::{ParameterError, Regime};
 use toytop_host::input::random::Random;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::TimedMotion;
@@ -64,8 +64,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let mut random = Random::new(seed, number);
     let input = random_launch::draw(&mut random);
     let motion = input.motion()?;
-    let constants = TimedMotion::new(motion);
-    let (period, rate) = (constants.time_scale(), constants.ticks_per_time());
+    let (period, rate) = (motion.characteristic_time(), motion.ticks_per_time());
     let ephemerides = Scalar::ALL.map(|scalar| MotionEphemeris::new(&motion, scalar).ok());
     let times = [(); NORM_TIMES].map(|()| random.between(0.0, period));
     let mut errors = ephemerides.each_ref().map(|ephemeris| {
@@ -105,7 +104,7 @@ fn ratio(error: f64, bound: f64) -> f64 {
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, over the bound.
-fn norm_over_bound(ephemeris: &MotionEphemeris, motion: &Motion, times: &[f64]) -> f64 {
+fn norm_over_bound(ephemeris: &MotionEphemeris, motion: &TimedMotion, times: &[f64]) -> f64 {
     let e = motion.branch_points();
     let query = EventQuery { kind: EventKind::Turning, from: 0.0, upward: None, count: 2 };
     let turning = search(ephemeris, motion, &query).unwrap_or_default();
@@ -154,7 +153,11 @@ fn nearest(tick: i64, place: &Float640, period: &Float640) -> Option<i64> {
 }
 
 /// For each scalar, the tick of the first period at which its rates differ most from a finer ephemeris.
-fn most_different_rates(ephemerides: &[Option<MotionEphemeris>], motion: &Motion, period: f64) -> Vec<i64> {
+fn most_different_rates(
+    ephemerides: &[Option<MotionEphemeris>],
+    motion: &TimedMotion,
+    period: f64,
+) -> Vec<i64> {
     let settings = EphemerisSettings { truncation: Some(FINE_TRUNCATION), ..Scalar::F64.into() };
     let Ok(finer) = MotionEphemeris::new(motion, settings) else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / RATE_TICKS as f64) as i64;
