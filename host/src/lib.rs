@@ -1,4 +1,4 @@
-//! Scenario files, motions at given times, two truths, fitted launches, scored integrators, and the forms of output: the library of the
+//! Scenario files, motions at given times, a reference for them, fitted launches, scored integrators, and the forms of output: the library of the
 //! program `toytop` (`host/program`) and of the Python package.
 //!
 //! A module uses only those above it.
@@ -8,7 +8,7 @@
 //! | [`output`] | CSV and JSON |
 //! | [`input`] | scenario files, built-in motions, random numbers |
 //! | [`parallel`] | threads on all processor cores |
-//! | [`truth`] | the paper's integrals to more than thirty digits; integration of the full 3-D equations |
+//! | [`reference`] | the paper's integrals to more than thirty digits |
 //! | [`motion`] | motion at given times by the core or the full equations, its samples and constants |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
@@ -24,7 +24,7 @@ pub mod input;
 
 pub mod parallel;
 
-pub mod truth;
+pub mod reference;
 
 pub mod motion;
 

@@ -8,9 +8,8 @@
 //! | [`errors`] | errors of samples, and drift of the first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
-//! | [`outwards`] | order of the times for a method that steps |
 //! | [`stepper`] | stepper at given times |
-//! | [`full_equations`] | full 3-D equations at given times |
+//! | [`full_solver`] | integration of the full 3-D equations |
 
 pub mod sample;
 
@@ -23,11 +22,9 @@ pub mod errors;
 pub mod ephemeris;
 pub mod tip_angle;
 
-pub mod outwards;
-
 pub mod stepper;
 
-pub mod full_equations;
+pub mod full_solver;
 
 pub use toytop_model::timed_motion::{TimedMotion, regime, tilts};
 

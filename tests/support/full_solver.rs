@@ -1,7 +1,7 @@
 //! Full solver, with the initial state of a motion of core.
 
 use toytop::{Motion, State};
-use toytop_host::truth::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
+use toytop_host::motion::full_solver::{FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 
 /// Full solver of a motion; only the state at t = 0 is taken from core.
 ///

@@ -5,9 +5,9 @@ use dashu_float::round::mode::HalfEven;
 use serde_json::Value;
 use toytop::{Orientation, Support, TopParameters};
 use toytop_host::input::scenario::Launch;
-use toytop_host::truth::float640::{Float640, Orientation640, to_f64};
-use toytop_host::truth::motion_input::MotionInput;
-use toytop_host::truth::quadrature::Quadrature;
+use toytop_host::reference::float640::{Float640, Orientation640, to_f64};
+use toytop_host::reference::motion_input::MotionInput;
+use toytop_host::reference::quadrature::Quadrature;
 use toytop_tests::vectors::{self, Vector, complex, entries, number, triple};
 
 /// Number of a text of thirty digits, with all of them.

@@ -12,7 +12,7 @@
 
 use toytop::su2::{Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, State, Top, TopParameters};
-use toytop_host::truth::full_solver::{Equations, FULL_SOLVER_TOLERANCE, FullSolver, FullState};
+use toytop_host::motion::full_solver::{Equations, FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop_tests::full_solver::solver;
 use toytop_tests::{check, greater, tolerance, top_of, vectors};
 

@@ -19,9 +19,9 @@ use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::Errors;
 use toytop_host::output::{self, Format};
-use toytop_host::truth::float640::{from_f64, from_i64};
-use toytop_host::truth::motion_input::MotionInput;
-use toytop_host::truth::quadrature::Quadrature;
+use toytop_host::reference::float640::{from_f64, from_i64};
+use toytop_host::reference::motion_input::MotionInput;
+use toytop_host::reference::quadrature::Quadrature;
 
 /// Errors of each scalar up to tick 2^40
 #[derive(Args)]

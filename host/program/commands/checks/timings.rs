@@ -11,9 +11,9 @@ use toytop::scalar::Real;
 use toytop::{Motion, Orientation, Stepper, Table, TableF32, TableF64, TableScalar, Tick};
 use toytop_host::Failure;
 use toytop_host::input::builtin;
-use toytop_host::motion::full_equations;
+use toytop_host::motion::full_solver::{FullSolver, initial_state};
 use toytop_host::output::{self, Format, significant};
-use toytop_host::truth::full_solver::{Equations, FullSolver};
+use toytop_model::equations::Equations;
 
 /// Name of the built-in motion that is timed.
 const CURVE_WITH_CUSPS: &str = "figure 3 e3=1.85";
@@ -96,7 +96,7 @@ fn rows() -> Vec<TimedTask> {
     let period = motion.period_advance().map_or(1.0, |advance| advance.period);
     let apart = period / f64::from(STATES_A_PERIOD);
     let times = |states: u32| (1..=states).map(move |i| f64::from(i) * apart);
-    let (top, state) = (motion.top(), full_equations::initial_state(&scenario));
+    let (top, state) = (motion.top(), initial_state(&scenario));
     let tick = Tick::hertz(1024).expect("a rate");
     let double = TableF64::new(motion, tick).expect("a table");
     let single = TableF32::new(motion, tick).expect("a table");

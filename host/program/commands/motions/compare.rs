@@ -20,12 +20,12 @@ use toytop_host::input::builtin;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::Errors;
-use toytop_host::motion::full_equations;
+use toytop_host::motion::full_solver;
 use toytop_host::motion::sample::MotionSample;
 use toytop_host::motion::stepper::TimedStepper;
 use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::output::{self, Format, or_dash, significant};
-use toytop_host::truth::full_solver::FullState;
+use toytop_model::equations::FullState;
 
 /// Errors of the core against an integration of the full 3-D equations
 ///
@@ -261,7 +261,7 @@ fn greatest_errors(
     let reached: Vec<f64> = samples.iter().map(|sample| sample.t).collect();
     let states = if reached == times { solver_states } else { &mut Vec::new() };
     if states.len() != reached.len() {
-        *states = full_equations::states(scenario, &reached)?;
+        *states = full_solver::states(scenario, &reached)?;
     }
     let error = |(sample, state): (&MotionSample, &FullState)| {
         Errors::between(&scenario.motion, sample, &state.orientation())

@@ -19,11 +19,12 @@ use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
-use toytop_host::motion::full_equations;
+use toytop_host::motion::full_solver;
 use toytop_host::motion::sample::{MotionSample, body_rates};
 use toytop_host::motion::stepper::{self, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::output::Format;
+use toytop_model::equations::{FullState, Rates};
 
 /// Function from the index of a requested time to the sample there.
 type Sampler = dyn Fn(u64) -> MotionSample + Sync;
@@ -130,7 +131,7 @@ fn sampler(
             };
             samples(motion, &times.seconds, step, &|steps| progress.add(steps))
         }
-        (Method::Full, Scalar::F64) => full_equations::samples(scenario, &times.seconds)?,
+        (Method::Full, Scalar::F64) => full_solver_samples(scenario, &times.seconds)?,
         (Method::ClosedForm, Scalar::F64) => return closed_form_sampler(scenario, times),
         (method, scalar) => {
             let (name, method) = (scalar.name(), method.name());
@@ -138,6 +139,18 @@ fn sampler(
         }
     };
     Ok(Box::new(move |index| samples[index as usize]))
+}
+
+/// Samples of the full solver, of which only the whole turns of the tip angle come from the core.
+fn full_solver_samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<MotionSample>, Failure> {
+    let states = full_solver::states(scenario, times)?;
+    let angle = TipAngle::new(&scenario.motion);
+    let sample = |(&t, state): (&f64, &FullState)| {
+        let (orientation, omega) = (state.orientation(), state.omega);
+        let omega_body = orientation.inverse().adjoint(omega);
+        angle.sample(t, orientation, Rates { omega, omega_body, udot: state.udot() })
+    };
+    Ok(times.iter().zip(&states).map(sample).collect())
 }
 
 /// * `rate`: tick rate `[A, B]`, A ticks in B seconds

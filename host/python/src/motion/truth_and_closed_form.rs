@@ -9,9 +9,9 @@ use pyo3::prelude::*;
 use toytop_closed_forms::ClosedForm;
 use toytop_host::motion::TimedMotion;
 use toytop_host::motion::sample::body_rates;
-use toytop_host::truth::float640::{decimal, from_f64};
-use toytop_host::truth::motion_input::MotionInput;
-use toytop_host::truth::quadrature::Quadrature;
+use toytop_host::reference::float640::{decimal, from_f64};
+use toytop_host::reference::motion_input::MotionInput;
+use toytop_host::reference::quadrature::Quadrature;
 
 /// Rust side of `toytop.ClosedForm`.
 #[pyclass(module = "toytop._toytop", frozen)]

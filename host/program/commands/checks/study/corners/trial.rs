@@ -7,9 +7,9 @@ use toytop_host::motion::Scalar;
 use toytop_host::motion::TimedMotion;
 use toytop_host::motion::ephemeris::{EphemerisSettings, EventKind, EventQuery, MotionEphemeris, search};
 use toytop_host::motion::errors::{greater_or_infinite, rate_error};
-use toytop_host::truth::float640::{Float640, from_f64, from_i64, to_i64};
-use toytop_host::truth::motion_input::MotionInput;
-use toytop_host::truth::quadrature::Quadrature;
+use toytop_host::reference::float640::{Float640, from_f64, from_i64, to_i64};
+use toytop_host::reference::motion_input::MotionInput;
+use toytop_host::reference::quadrature::Quadrature;
 
 /// Launch that was tried.
 pub struct Trial {

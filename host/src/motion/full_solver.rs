@@ -1,4 +1,5 @@
-//! Full solver: step-by-step integration of the three-dimensional equations of motion. It shares no formula with the core.
+//! Full solver: step-by-step integration of the three-dimensional equations of motion. It shares no formula with the core, from which
+//! only the state at t = 0 of branch points comes.
 //!
 //! The integrator is Verner's 9(8) pair from `differential-equations`, called for one step at a time, so that the last step ends exactly at
 //! the requested time without dense output. Three measures limit the rounding to a single operation per step:
@@ -8,11 +9,16 @@
 //!   compensation (the integrator's own sums and its error estimate would be rounded relative to the state);
 //! - after each step the orientation is normalised, by a change of its length only.
 
+mod compensation;
+
 use crate::Failure;
+use crate::input::scenario::{Launch, Scenario};
+use crate::motion::stepper::step_to_each;
+use compensation::{normalise_orientation, two_sum};
 use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::status::Status;
-use toytop::Top;
+use toytop::{Stepper, Top};
 pub use toytop_model::equations::{Equations, FullState};
 use toytop_model::equations::{Vector7, dot};
 
@@ -171,6 +177,27 @@ impl FullSolver {
     }
 }
 
+/// State of a scenario at t = 0: that of the launch without change, or for branch points that of the core's stepper.
+pub fn initial_state(scenario: &Scenario) -> FullState {
+    match scenario.launch {
+        Launch::State { orientation, omega } => FullState::new(&orientation, omega),
+        Launch::BranchPoints { .. } => {
+            let state = Stepper::<f64>::new(&scenario.motion).attitude_state();
+            FullState::new(&state.orientation, state.omega())
+        }
+    }
+}
+
+/// States of a scenario at these times, in their order.
+///
+/// # Errors
+/// [`Failure::Method`]: the solver cannot integrate that far.
+pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Failure> {
+    FullSolver::new(scenario.motion.top(), initial_state(scenario), FULL_SOLVER_TOLERANCE)
+        .and_then(|start| step_to_each(times, || start.clone(), FullSolver::advance_to))
+        .map_err(|failure| failure.with_context(&scenario.name))
+}
+
 /// Equations for the change that is added to `from`.
 struct Change<'a> {
     equations: &'a Equations,
@@ -187,30 +214,6 @@ impl ODE<f64, Vector7> for Change<'_> {
 fn power_of_two(x: f64) -> f64 {
     let power = f64::from_bits(x.to_bits() & f64::INFINITY.to_bits());
     if power > 0.0 { power } else { 1.0 }
-}
-
-/// Sum a + b as its rounded value and the exact remainder (Knuth).
-fn two_sum(a: f64, b: f64) -> (f64, f64) {
-    let sum = a + b;
-    let shadow = sum - a;
-    (sum, (a - (sum - shadow)) + (b - shadow))
-}
-
-/// Normalises the orientation in y + low, to first order in the deviation of its norm from 1. The rounding errors of the squares are
-/// included, because otherwise the deviation would be known to 1e-16 only.
-fn normalise_orientation(y: &Vector7, low: &mut Vector7) {
-    let mut defect = -1.0;
-    let mut rest = 0.0;
-    for i in 0..4 {
-        let square = y[i] * y[i];
-        let (sum, error) = two_sum(defect, square);
-        defect = sum;
-        rest += error + y[i].mul_add(y[i], -square) + 2.0 * y[i] * low[i];
-    }
-    defect += rest;
-    for i in 0..4 {
-        low[i] -= 0.5 * defect * y[i];
-    }
 }
 
 #[cfg(test)]

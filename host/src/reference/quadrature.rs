@@ -102,7 +102,7 @@ mod tests {
     use super::*;
     use crate::input::random::Random;
     use crate::input::scenario::Launch;
-    use crate::truth::float640::to_i64;
+    use crate::reference::float640::to_i64;
     use toytop::{InitialAngles, Signs, Support, TopParameters};
 
     /// Random motion of a sliding top, with differences of branch points down to 1e-12.
