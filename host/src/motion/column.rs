@@ -82,7 +82,7 @@ impl SampleColumn {
             Self::EulerZxz => {
                 ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", Quantity::Pose)
             }
-            Self::ErrorBound => ("error_bound", &["error_bound"], "rad", Quantity::Time),
+            Self::ErrorBound => ("error_bound", &["error_bound"], "rad", Quantity::ErrorBound),
         }
     }
 

@@ -23,7 +23,7 @@ pub struct MotionSample {
 /// Quantity of a sample that a table computes by itself.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Quantity {
-    /// Time, and the bound on the error there.
+    /// Time.
     Time,
     /// Orientation, u and tip.
     Pose,
@@ -35,6 +35,8 @@ pub enum Quantity {
     Udot,
     /// Tip angle.
     TipAngle,
+    /// Bound on the error of the orientation.
+    ErrorBound,
 }
 
 impl MotionSample {

@@ -126,9 +126,11 @@ fn sample<R: TableScalar>(
     only: Option<Quantity>,
 ) -> MotionSample {
     let needs = |quantity| only.is_none_or(|only| only == quantity);
-    let [rate, _] = table.clock().ticks_per_time;
-    let mut sample =
-        MotionSample { t, error_bound: Some(table.error_bound().after(t * rate)), ..MotionSample::EMPTY };
+    let mut sample = MotionSample { t, ..MotionSample::EMPTY };
+    if needs(Quantity::ErrorBound) {
+        let [rate, _] = table.clock().ticks_per_time;
+        sample.error_bound = Some(table.error_bound().after(t * rate));
+    }
     if needs(Quantity::Pose) {
         let Pose { orientation, u, tip } = now.pose();
         sample.pose =
