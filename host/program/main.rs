@@ -3,8 +3,7 @@
 //! | module | contents |
 //! |---|---|
 //! | `files` | files that a command writes: completely or not at all, and pages of the documentation |
-//! | `terminal` | command line, standard output, progress, rows that all processor cores compute |
-//! | `table` | table of texts |
+//! | `terminal` | command line, standard output, tables of texts, work on all processor cores with its progress |
 //! | `arguments` | arguments of several commands: numbers and ranges, times, options |
 //! | `commands` | the commands |
 
@@ -17,14 +16,12 @@ mod files {
     pub mod doc_page;
 }
 mod terminal {
-    pub mod parallel_rows;
-    pub mod progress;
+    pub mod parallel;
     pub mod stdout;
+    pub mod table;
 
     pub mod command_line;
 }
-
-mod table;
 
 mod arguments {
     pub mod values;

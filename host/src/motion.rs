@@ -5,7 +5,7 @@
 //! | [`Scalar`] | scalar types of the core |
 //! | [`sample`] | motion at one time |
 //! | [`euler_angles`], [`mod@column`] | quantities of a sample |
-//! | [`errors`] | errors of samples, and drift of the first integrals |
+//! | [`errors`] | errors of samples, and drifts of the first integrals |
 //! | [`ephemeris`] | ephemeris in the smallest table that fits |
 //! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
 //! | [`stepper`] | stepper at given times |
@@ -57,6 +57,13 @@ impl Scalar {
             Self::Q15 => "q15",
         }
     }
+}
+
+/// Times in [0, `end`], s: one in each of `count` equal parts, shifted within the part by multiples of the golden section.
+pub fn spread_times(end: f64, count: u32) -> Vec<f64> {
+    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
+    let part = end / f64::from(count);
+    (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
 }
 
 /// Value of a constant in JSON; null where the motion does not have it.

@@ -129,13 +129,6 @@ impl Times {
     }
 }
 
-/// Times in [0, `end`], s: one in each of `count` equal parts, shifted within the part by multiples of the golden section.
-pub fn spread_times(end: f64, count: u32) -> Vec<f64> {
-    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
-    let part = end / f64::from(count);
-    (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
-}
-
 fn require_count(count: u64) -> Result<(), String> {
     if count > MAX_TIMES { Err(format!("{count} times: must be at most {MAX_TIMES}")) } else { Ok(()) }
 }

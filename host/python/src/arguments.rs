@@ -7,7 +7,7 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt};
 use std::fmt::Display;
 use toytop::ParameterError;
-use toytop_host::{Failure, input::require_within};
+use toytop_host::{Failure, input};
 
 /// Exception for a parameter that core refuses.
 pub(crate) fn parameter_error(error: ParameterError) -> PyErr {
@@ -86,8 +86,9 @@ impl FromPyObject<'_, '_> for NumericArg {
 ///
 /// # Errors
 /// `ValueError`: one of the times is farther.
-pub(crate) fn within(reach: f64, times: &[f64]) -> PyResult<()> {
-    require_within(times.iter().copied(), reach, "").map_err(|failure| failed(failure.with_context("t")))
+pub(crate) fn require_within(reach: f64, times: &[f64]) -> PyResult<()> {
+    let within = input::require_within(times.iter().copied(), reach, "");
+    within.map_err(|failure| failed(failure.with_context("t")))
 }
 
 /// Array of these numbers, which are not copied.

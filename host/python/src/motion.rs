@@ -6,7 +6,7 @@ mod truth_and_closed_form;
 
 pub(crate) use truth_and_closed_form::ClosedFormCore;
 
-use crate::arguments::{NumericArg, failed, renamed, value_error, within};
+use crate::arguments::{NumericArg, failed, renamed, require_within, value_error};
 use crate::samples::{Sampler, SharedEphemeris, Source};
 use crate::top::TopCore;
 use pyo3::prelude::*;
@@ -75,16 +75,8 @@ impl MotionCore {
     /// `ValueError`: as [`Self::table`], or one of the times is beyond the ticks.
     pub(crate) fn table_for(&self, scalar: Scalar, times: &[f64]) -> PyResult<SharedEphemeris> {
         let table = self.table(scalar)?;
-        within(table.furthest_time(), times)?;
+        require_within(table.furthest_time(), times)?;
         Ok(table)
-    }
-
-    /// Checks that the ticks of a table would reach the times, without setting one up.
-    ///
-    /// # Errors
-    /// `ValueError`: one of the times is beyond them.
-    pub(crate) fn within_reach(&self, times: &[f64]) -> PyResult<()> {
-        within(self.motion.furthest_time(), times)
     }
 }
 

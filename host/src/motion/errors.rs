@@ -1,4 +1,4 @@
-//! Errors of samples, and drift of the first integrals.
+//! Errors of samples, rotation between two orientations, and drift of the first integrals.
 
 use super::sample::MotionSample;
 use nalgebra::Vector3;
@@ -14,6 +14,19 @@ pub fn greater_or_infinite(a: f64, b: f64) -> f64 {
 /// Distance of two vectors.
 pub fn distance(x: [f64; 3], y: [f64; 3]) -> f64 {
     (Vector3::from(x) - Vector3::from(y)).norm()
+}
+
+/// Rotation vector x of the shorter rotation exp(x) that takes `from` to `to`, in the fixed frame, rad: `to` = exp(x) `from`, whatever
+/// the signs of both.
+pub fn rotation_between(from: &Orientation<f64>, to: &Orientation<f64>) -> [f64; 3] {
+    let [w, x, y, z] = to.compose(&from.inverse()).quaternion();
+    let sine = (x * x + y * y + z * z).sqrt();
+    if sine == 0.0 {
+        return [0.0; 3];
+    }
+    // the quaternion with w >= 0 belongs to the shorter rotation
+    let scale = 2.0 * sine.atan2(w.abs()).copysign(w) / sine;
+    [scale * x, scale * y, scale * z]
 }
 
 /// Errors of a sample.
@@ -94,6 +107,19 @@ pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -
 mod tests {
     use super::*;
     use toytop::{Complex, FirstIntegrals, State, TopParameters};
+
+    #[test]
+    fn the_rotation_between_two_orientations_does_not_see_signs() {
+        let from = Orientation::from_quaternion([0.5, -0.5, 0.1, 0.7]).normalised();
+        for x in [[1e-9, -2e-9, 3e-10], [0.3, -0.2, 1.1], [0.0; 3]] {
+            let to = Orientation::exp(x).compose(&from);
+            let negative = Orientation { alpha: -to.alpha, beta: -to.beta };
+            for to in [to, negative] {
+                let found = rotation_between(&from, &to);
+                assert!(found.iter().zip(x).all(|(found, x)| (found - x).abs() < 1e-15), "{found:?}");
+            }
+        }
+    }
 
     #[test]
     fn first_integrals_agree_with_the_core() {

@@ -10,10 +10,10 @@
 //! with the mean rates λ_α' and λ_β' of arg α and arg β. The phase errors Δθ, Δψ and Δφ are fitted by least squares over one period, each as
 //! offset + slope. The distance that remains is no phase error: the trajectory is on another torus, with other values of l, n and h.
 
-use super::rotation_between;
 use super::trajectory::TrajectoryRow;
 use crate::motion::TimedMotion;
 use crate::motion::ephemeris::MotionEphemeris;
+use crate::motion::errors::rotation_between;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use serde::Serialize;
 use std::f64::consts::PI;

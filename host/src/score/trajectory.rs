@@ -101,9 +101,9 @@ impl Trajectory {
         Ok(Self { name: String::new(), method, step, evaluations, rows })
     }
 
-    /// Trajectory in the body axes of the core, of which the third is the axis of symmetry. `axis` is the number of this axis in the file.
-    pub fn with_symmetry_axis(mut self, axis: u8) -> Self {
-        let inverse = to_symmetry_axis(axis).inverse();
+    /// Trajectory in the body axes of the core, from which this rotation leads to those of the file.
+    pub fn in_axes_of_core(mut self, axes: &Orientation<f64>) -> Self {
+        let inverse = axes.inverse();
         for row in &mut self.rows {
             row.orientation = row.orientation.compose(&inverse);
         }
@@ -116,15 +116,6 @@ impl Trajectory {
         let mean = (last.t - first.t) / (self.rows.len() - 1) as f64;
         let even = |pair: &[TrajectoryRow]| (pair[1].t - pair[0].t - mean).abs() <= 1e-6 * mean.abs();
         self.rows.windows(2).all(even).then_some(mean.abs())
-    }
-}
-
-/// Rotation that takes body coordinates, whose second or third axis is the axis of symmetry, to the core's, where it is the third.
-pub fn to_symmetry_axis(axis: u8) -> Orientation<f64> {
-    match axis {
-        // a quarter turn about the first axis takes the second axis to the third
-        2 => Orientation::from_quaternion([1.0, 1.0, 0.0, 0.0]).normalised(),
-        _ => Orientation::IDENTITY,
     }
 }
 
@@ -235,7 +226,7 @@ mod tests {
         for (trajectory, has_omega) in read.iter().zip([true, true, true, false]) {
             let [row] = trajectory.rows[..] else { panic!("one row") };
             assert!(row.t == 1.0 && row.norm_error < 1e-15);
-            let off = crate::score::rotation_between(&phi, &row.orientation);
+            let off = crate::motion::errors::rotation_between(&phi, &row.orientation);
             assert!(off.iter().all(|x| x.abs() < 1e-15), "{off:?}");
             assert_eq!(row.omega.is_some(), has_omega);
             for (found, given) in row.omega.unwrap_or(omega).iter().zip(omega) {

@@ -2,9 +2,9 @@
 
 use crate::arguments::options::{Scalars, scalars};
 use crate::files::doc_page::DocPage;
-use crate::table::TextTable;
-use crate::terminal::parallel_rows::compute_all;
+use crate::terminal::parallel::compute_all;
 use crate::terminal::stdout::Report;
+use crate::terminal::table::TextTable;
 use clap::Args;
 use micromath::F32Ext;
 use serde::Serialize;

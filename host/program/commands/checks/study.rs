@@ -4,8 +4,8 @@ mod corners;
 mod fit;
 
 use crate::files::doc_page::DocPage;
-use crate::table::TextTable;
 use crate::terminal::stdout::Report;
+use crate::terminal::table::TextTable;
 use clap::{Args, Subcommand};
 use serde::Serialize;
 use serde_json::json;

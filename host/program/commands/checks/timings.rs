@@ -1,7 +1,7 @@
 //! `toytop timings`: computing times of a state, by the core and by other methods, on this machine with this build.
 
-use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
+use crate::terminal::table::{Column, TextTable};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;

@@ -3,8 +3,8 @@
 use super::problem_files::{self, Problem, ReferenceSample};
 use crate::arguments::times::Times;
 use crate::arguments::values::{Values, counted_values};
-use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
+use crate::terminal::table::{Column, TextTable};
 use clap::Args;
 use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
@@ -13,7 +13,6 @@ use toytop_host::Failure;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::output::{self, Format};
-use toytop_host::score::trajectory::to_symmetry_axis;
 
 /// Reference values of the heavy tops that integrators are tested with
 #[derive(Args)]
@@ -142,7 +141,7 @@ fn computed_rows(problem: &Problem, times: &Values) -> Result<Vec<BenchmarkRow>,
     times.require_within(ephemeris.furthest_time(), "")?;
     let row = |t: &f64| {
         let sample = ephemeris.at(*t);
-        let orientation = sample.pose.orientation.compose(&to_symmetry_axis(about.symmetry_axis));
+        let orientation = sample.pose.orientation.compose(&about.body_axes());
         let position = sample.pose.orientation.axis().map(|x| about.length * x);
         let omega_body = orientation.inverse().adjoint(sample.rates.omega);
         let numbers = once(*t).chain(position).chain(orientation.quaternion()).chain(omega_body);

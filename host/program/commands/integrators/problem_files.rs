@@ -1,6 +1,7 @@
 //! Benchmark problems: tops that the tests and papers of other integrators use, with reference values to 30 digits.
 
 use serde::Deserialize;
+use toytop::Orientation;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::{Failure, excerpt};
 
@@ -64,6 +65,17 @@ pub struct Description {
     pub length: f64,
     /// Programs that use the problem, one sentence for each.
     pub used_by: Vec<String>,
+}
+
+impl Description {
+    /// Rotation that takes the source's body coordinates to the core's, where the third axis is the axis of symmetry.
+    pub fn body_axes(&self) -> Orientation<f64> {
+        match self.symmetry_axis {
+            // a quarter turn about the first axis takes the second axis to the third
+            2 => Orientation::from_quaternion([1.0, 1.0, 0.0, 0.0]).normalised(),
+            _ => Orientation::IDENTITY,
+        }
+    }
 }
 
 /// All problems.

@@ -8,12 +8,13 @@ use crate::commands::pictures::drawing::{
     chart::{Chart, Curve},
 };
 use crate::files::whole_file;
-use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
+use crate::terminal::table::{Column, TextTable};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
 use std::path::{Path, PathBuf};
+use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::output::{self, Format, error_text, or_dash, significant};
@@ -120,10 +121,10 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", results.len())));
     }
     let reference = Scorer::new(&scenario, &start)?;
+    let axes = problem.as_ref().map_or(Orientation::IDENTITY, |problem| problem.about.body_axes());
     let (mut files, mut warnings) = (Vec::new(), Vec::new());
     for (index, path) in results.iter().enumerate() {
-        let axis = problem.as_ref().map_or(3, |problem| problem.about.symmetry_axis);
-        let trajectory = Trajectory::read(path)?.with_symmetry_axis(axis);
+        let trajectory = Trajectory::read(path)?.in_axes_of_core(&axes);
         let score = reference.score(&trajectory)?;
         let spacing = trajectory.spacing();
         let Trajectory { name, method, step, evaluations, rows } = trajectory;

@@ -3,10 +3,9 @@
 mod bounds;
 
 use crate::arguments::options::{Method, Scalars, scalars};
-use crate::arguments::times::spread_times;
 use crate::commands::warnings::warnings;
-use crate::table::TextTable;
 use crate::terminal::stdout::Report;
+use crate::terminal::table::TextTable;
 use bounds::{Verdict, bound, compared_time, steps_per_period};
 use clap::Args;
 use serde::Serialize;
@@ -23,7 +22,7 @@ use toytop_host::motion::errors::Errors;
 use toytop_host::motion::full_solver;
 use toytop_host::motion::sample::MotionSample;
 use toytop_host::motion::stepper::TimedStepper;
-use toytop_host::motion::{Scalar, TimedMotion};
+use toytop_host::motion::{Scalar, TimedMotion, spread_times};
 use toytop_host::output::{self, Format, or_dash, significant};
 use toytop_model::equations::FullState;
 

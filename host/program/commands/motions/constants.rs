@@ -1,8 +1,8 @@
 //! `toytop constants`: first integrals, branch points, period and mean rotations of a motion.
 
 use crate::commands::warnings::warnings;
-use crate::table::TextTable;
 use crate::terminal::stdout::Report;
+use crate::terminal::table::TextTable;
 use clap::Args;
 use serde_json::Value;
 use std::path::PathBuf;

@@ -2,8 +2,8 @@
 
 use crate::arguments::values::{FINITE, POSITIVE, number};
 use crate::commands::warnings::warnings;
-use crate::table::{Column, TextTable};
 use crate::terminal::stdout::Report;
+use crate::terminal::table::{Column, TextTable};
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;

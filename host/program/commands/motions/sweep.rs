@@ -5,7 +5,7 @@ mod rows;
 
 use crate::arguments::values::{LEAST_POSITIVE, Values, number};
 use crate::files::whole_file;
-use crate::terminal::parallel_rows::write_rows;
+use crate::terminal::parallel::write_rows;
 use crate::terminal::stdout::{self, Report};
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};

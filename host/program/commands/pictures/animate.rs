@@ -6,7 +6,7 @@ use crate::arguments::options::{ending_in, time_range};
 use crate::arguments::values::number;
 use crate::commands::warnings::warnings;
 use crate::files::whole_file;
-use crate::terminal::progress::Progress;
+use crate::terminal::parallel::Progress;
 use crate::terminal::stdout::Report;
 use clap::Args;
 use film::Film;

@@ -1,6 +1,6 @@
 //! Events of a motion: times at which it turns, reaches a tilt, a tip angle or a circle, or lifts off.
 
-use crate::arguments::{Array, array, renamed, value_error, within};
+use crate::arguments::{Array, array, renamed, require_within, value_error};
 use crate::interrupt;
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
@@ -56,7 +56,7 @@ impl MotionCore {
     ) -> PyResult<Bound<'py, Array>> {
         let kind = self::kind(kind, value, &self.top.top)?;
         let (motion, table) = (self.motion, py.detach(|| self.table(Scalar::F64))?);
-        within(table.furthest_time(), &[start])
+        require_within(table.furthest_time(), &[start])
             .map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
         let query = EventQuery { kind, from: start, upward, count };
         let events = interrupt::interruptible(py, move || search(&table, &motion, &query))?;

@@ -1,6 +1,6 @@
 //! Other methods for a motion at a time: its closed form, where it has one, and the truth to more than thirty digits.
 
-use crate::arguments::{NumericArg, value_error, within};
+use crate::arguments::{NumericArg, require_within, value_error};
 use crate::interrupt;
 use crate::motion::MotionCore;
 use crate::samples::Sampler;
@@ -42,7 +42,7 @@ impl ClosedFormCore {
 
     /// Samples at these times.
     fn at(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
-        within(self.motion.furthest_time_of_closed_form(), &t.numbers)?;
+        require_within(self.motion.furthest_time_of_closed_form(), &t.numbers)?;
         Sampler::by_method(py, t, &self.motion, None, |t| {
             let state = self.form.at(t);
             (state.orientation, body_rates(&state))
@@ -57,7 +57,7 @@ const ROUNDING: f64 = 0.25 * f64::EPSILON * 4.0;
 impl MotionCore {
     /// Samples of the truth at these times.
     fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
-        self.within_reach(&t.numbers)?;
+        require_within(self.motion.furthest_time(), &t.numbers)?;
         let (truth, unit) = (py.detach(|| self.truth()), self.motion.characteristic_time());
         Sampler::by_method(py, t, &self.motion, Some(ROUNDING), |t| {
             (truth.at(&from_f64(t)).to_f64(), truth.rates(&from_f64(t), unit))
@@ -71,7 +71,7 @@ impl MotionCore {
         t: NumericArg,
         digits: usize,
     ) -> PyResult<(Vec<[String; 4]>, Vec<usize>)> {
-        self.within_reach(&t.numbers)?;
+        require_within(self.motion.furthest_time(), &t.numbers)?;
         let truth = py.detach(|| self.truth());
         let texts = interrupt::map(py, t.numbers.len(), |index| {
             let phi = truth.at(&from_f64(t.numbers[index]));

@@ -2,8 +2,8 @@
 
 use super::budgets::Budgets;
 use crate::files::doc_page::DocPage;
-use crate::table::TextTable;
 use crate::terminal::stdout::Report;
+use crate::terminal::table::TextTable;
 use serde_json::{Value, json};
 use std::iter::once;
 use toytop_chips::chip::{Chip, M0PLUS, M4F, M7, RISCV};

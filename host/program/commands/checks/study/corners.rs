@@ -4,7 +4,7 @@ mod random_launch;
 mod trial;
 
 use super::{StudyOptions, Summary};
-use crate::terminal::parallel_rows::compute_all;
+use crate::terminal::parallel::compute_all;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use toytop_host::Failure;

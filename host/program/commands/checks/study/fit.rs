@@ -1,7 +1,7 @@
 //! `toytop study fit`: launches fitted to simulated samples.
 
 use super::{StudyOptions, Summary};
-use crate::terminal::parallel_rows::compute_all;
+use crate::terminal::parallel::compute_all;
 use nalgebra::{Matrix6, Vector6};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ use toytop_host::Failure;
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{Recording, simulate_measurements};
 use toytop_host::input::random::Random;
-use toytop_host::score::rotation_between;
+use toytop_host::motion::errors::rotation_between;
 
 /// Sets of sensors that are tried.
 const SENSOR_SETS: [&str; 3] =

@@ -1,6 +1,6 @@
 //! Samples as rows of CSV, JSON or blocks of aligned lines, one at a time, because the text of all of them may not fit into memory.
 
-use crate::table::TextTable;
+use crate::terminal::table::TextTable;
 use serde_json::Value;
 use toytop::Support;
 use toytop_host::input::scenario::Units;

@@ -1,6 +1,5 @@
 //! Columns of a sweep, and what is computed of a motion for them.
 
-use crate::arguments::times::spread_times;
 use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
@@ -8,7 +7,7 @@ use std::str::FromStr;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
 use toytop_host::motion::errors::greater_or_infinite;
-use toytop_host::motion::{Scalar, constant_as_json};
+use toytop_host::motion::{Scalar, constant_as_json, spread_times};
 use toytop_model::timed_motion::{CONSTANTS, Constant, TimedMotion};
 
 /// Column of a sweep.

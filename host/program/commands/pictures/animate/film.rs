@@ -2,7 +2,7 @@
 
 use crate::commands::pictures::drawing::{CAPTION, CURVE, START, disc, raster, text};
 use crate::commands::pictures::plot::sphere::{Camera, circle};
-use crate::terminal::progress::Progress;
+use crate::terminal::parallel::Progress;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use std::io::{self, Write};

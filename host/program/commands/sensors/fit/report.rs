@@ -1,6 +1,6 @@
 //! Fitted launch as a table.
 
-use crate::table::TextTable;
+use crate::terminal::table::TextTable;
 use toytop_host::fit::result::FitResult;
 use toytop_host::fit::summary::{DriftSummary, Estimated, FitSummary, Prediction, RATES};
 use toytop_host::output::significant;

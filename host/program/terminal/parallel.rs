@@ -1,6 +1,6 @@
-//! Rows of a result, computed on all processor cores and written in their order.
+//! Work on all processor cores, with a progress bar: rows that are written in their order, and results in theirs.
 
-use super::progress::Progress;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::io::{self, Write};
 use toytop_host::Failure;
@@ -61,4 +61,28 @@ pub fn compute_all<T: Send>(
         result
     };
     Ok(thread_pool()?.install(|| (0..count).into_par_iter().map(counted).collect()))
+}
+
+/// Progress of work with a known total, as a bar on stderr for work that takes more than a second; there is none where stderr is no terminal.
+/// The bar disappears with it.
+pub struct Progress(ProgressBar);
+
+impl Progress {
+    /// Progress of `total` units of work, named `unit`.
+    pub fn new(total: u64, unit: &'static str) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
+        if let Ok(style) = ProgressStyle::with_template("{bar:40} {human_pos}/{human_len} {msg}, {eta} left")
+        {
+            bar.set_style(style);
+        }
+        Self(bar.with_message(unit).with_finish(ProgressFinish::AndClear))
+    }
+
+    /// Adds units of finished work.
+    pub fn add(&self, units: u64) {
+        self.0.inc(units);
+        if self.0.is_hidden() && self.0.elapsed().as_secs() >= 1 {
+            self.0.set_draw_target(ProgressDrawTarget::stderr());
+        }
+    }
 }
