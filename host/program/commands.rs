@@ -48,24 +48,16 @@ use integrators::*;
 use motions::*;
 use pictures::*;
 use sensors::*;
+use std::collections::HashMap;
 use toytop_host::Failure;
 
-/// Function that runs a command from its arguments.
-type Run = dyn Fn(&ArgMatches) -> Result<Report, Failure>;
-
-/// Command of `toytop` with the function that runs it.
-struct RunnableCommand {
-    command: Command,
-    run: Box<Run>,
-}
+/// Command of `toytop` with the function that runs it from its arguments.
+type RunnableCommand = (Command, Box<dyn Fn(&ArgMatches) -> Result<Report, Failure>>);
 
 /// Command of this name, whose arguments are those of its function.
 fn command<A: Args + 'static>(name: &'static str, run: fn(&A) -> Result<Report, Failure>) -> RunnableCommand {
     let arguments = |matches: &ArgMatches| A::from_arg_matches(matches).expect("the command's arguments");
-    RunnableCommand {
-        command: A::augment_args(Command::new(name)),
-        run: Box::new(move |matches| run(&arguments(matches))),
-    }
+    (A::augment_args(Command::new(name)), Box::new(move |matches| run(&arguments(matches))))
 }
 
 /// Commands in the groups of `toytop --help`. The last group is that of the checks.
@@ -103,8 +95,9 @@ fn groups() -> [(&'static str, Vec<RunnableCommand>); 6] {
     ]
 }
 
-/// Command line of the program.
-pub fn toytop() -> Command {
+/// Command line of the program, and the function that runs one of its commands from the arguments.
+pub fn toytop() -> (Command, impl FnOnce(&ArgMatches) -> Result<Report, Failure>) {
+    let mut runs = HashMap::new();
     let mut help =
         "{about}\n{usage-heading} {usage}; each command has --help, and toytop has --version\n\n".to_owned();
     let mut toytop = Command::new("toytop")
@@ -115,29 +108,24 @@ pub fn toytop() -> Command {
     let [groups @ .., (heading, checks)] = groups();
     for (group, commands) in groups {
         help += &format!("{group}:\n");
-        for RunnableCommand { command, .. } in commands {
-            let about = command.get_about().cloned().unwrap_or_default();
-            help += &format!("  {:<12}{about}\n", command.get_name());
+        for (command, run) in commands {
+            let (name, about) = (command.get_name().to_owned(), command.get_about().cloned());
+            help += &format!("  {name:<12}{}\n", about.unwrap_or_default());
             toytop = toytop.subcommand(command);
+            runs.insert(name, run);
         }
     }
     help += &format!("{heading}:");
-    for RunnableCommand { command, .. } in checks {
+    for (command, run) in checks {
         help += &format!(" {}", command.get_name());
+        runs.insert(command.get_name().to_owned(), run);
         toytop = toytop.subcommand(command.hide(true));
     }
-    toytop.help_template(help + "\n")
-}
-
-/// Runs a command of [`toytop`].
-///
-/// # Errors
-/// See [`Failure`].
-pub fn run(matches: &ArgMatches) -> Result<Report, Failure> {
-    let (name, arguments) = matches.subcommand().expect("a command is required");
-    let mut commands = groups().into_iter().flat_map(|(_, commands)| commands);
-    let command = commands.find(|command| command.command.get_name() == name).expect("one of the commands");
-    (command.run)(arguments)
+    let run = move |matches: &ArgMatches| {
+        let (name, arguments) = matches.subcommand().expect("a command is required");
+        runs[name](arguments)
+    };
+    (toytop.help_template(help + "\n"), run)
 }
 
 /// Completions for a shell
@@ -152,6 +140,7 @@ struct CompletionsArgs {
 
 fn completions(arguments: &CompletionsArgs) -> Result<Report, Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut toytop(), "toytop", &mut script);
+    let (mut command, _) = toytop();
+    clap_complete::generate(arguments.shell, &mut command, "toytop", &mut script);
     Ok(String::from_utf8_lossy(&script).into_owned().into())
 }

@@ -36,5 +36,6 @@ mod commands;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    terminal::command_line::run(commands::toytop(), commands::run)
+    let (command, run) = commands::toytop();
+    terminal::command_line::run(command, run)
 }
