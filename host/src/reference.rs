@@ -4,13 +4,10 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`motion_input`] | top, and branch points or a state |
 //! | [`float640`] | arithmetic in numbers of 640 bits |
 //! | `nutation` | rates of a motion, and their integrals over a nutation |
 //! | `launch_constants` | constants from branch points or a state |
 //! | [`quadrature`] | orientation and rates at a time by quadrature |
-
-pub mod motion_input;
 
 pub mod float640;
 mod nutation;

@@ -85,8 +85,8 @@ impl MotionCore {
     /// Motion of a scenario file's text; `file` is its name in messages.
     #[new]
     pub(crate) fn from_text(file: &str, text: &str) -> PyResult<Self> {
-        let Scenario { motion, top: parameters, launch, .. } = Scenario::parse(file, text).map_err(failed)?;
-        Ok(Self::new(TopCore { parameters, top: *motion.top() }, launch, motion))
+        let Scenario { motion, input, .. } = Scenario::parse(file, text).map_err(failed)?;
+        Ok(Self::new(TopCore { parameters: input.top, top: *motion.top() }, input.launch, motion))
     }
 
     pub(crate) fn to_toml(&self) -> String {

@@ -8,13 +8,10 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use pythonize::pythonize;
 use toytop::Orientation;
+use toytop_host::Failure;
 use toytop_host::score::order as convergence;
 use toytop_host::score::scorer::Scorer;
 use toytop_host::score::trajectory::{Trajectory, TrajectoryRow, normalised};
-use toytop_host::{
-    Failure,
-    input::scenario::{Scenario, Units},
-};
 
 /// Errors of an integrator's output, from the state of motion.at(t[0]), against the exact motion, by the keys of JSON.
 #[pyfunction]
@@ -37,19 +34,13 @@ pub(crate) fn score<'py>(
         let omega = rates.as_ref().map(|rates| in_fixed(rates.as_chunks().0[i]));
         Ok(TrajectoryRow { t: t.numbers[i], orientation, norm_error, omega, tip: None })
     };
-    let MotionCore { motion, launch, top, .. } = motion;
-    let scenario = Scenario {
-        name: "motion".into(),
-        motion: *motion,
-        top: top.parameters,
-        launch: *launch,
-        units: Units::Si,
-    };
+    let motion = motion.motion;
     let score = interrupt::interruptible(py, move || {
         let rows = (0..count).map(row).collect::<Result<_, Failure>>()?;
         let trajectory =
             Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };
-        Scorer::new(&scenario, "motion.at(t[0])")?.score(&trajectory)
+        let scorer = Scorer::new(&motion, "motion.at(t[0])");
+        scorer.map_err(|failure| failure.with_context("motion"))?.score(&trajectory)
     })?;
     let score = score.map_err(failed)?;
     let fields = pythonize(py, &score)?.cast_into::<PyDict>()?;

@@ -1,8 +1,7 @@
 //! Built-in motions, which `compare` runs without a scenario file.
 
-use crate::input::scenario::{Launch, Scenario, Units};
-use toytop::{InitialAngles, Motion, Sign, Signs, Top, TopParameters};
-use toytop_model::timed_motion::TimedMotion;
+use crate::input::scenario::{Launch, MotionInput, Scenario, Units};
+use toytop::{InitialAngles, Sign, Signs, Support, TopParameters};
 
 /// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
 pub fn scenarios() -> Vec<Scenario> {
@@ -62,14 +61,7 @@ fn curve(name: String, top: [f64; 4], e: [f64; 3], signs: Signs) -> Scenario {
         gravity: 1.0,
         ..TopParameters::default()
     };
-    let phases = InitialAngles::default();
-    let motion =
-        Top::sliding(&parameters).and_then(|top| Motion::from_branch_points(&top, e, signs, &phases));
-    Scenario {
-        name,
-        motion: TimedMotion::new(motion.expect("a valid motion")),
-        top: parameters,
-        launch: Launch::BranchPoints { e, signs, phases },
-        units: Units::None,
-    }
+    let launch = Launch::BranchPoints { e, signs, phases: InitialAngles::default() };
+    let input = MotionInput { support: Support::Sliding, top: parameters, launch };
+    Scenario { name, motion: input.motion().expect("a valid motion"), input, units: Units::None }
 }

@@ -6,7 +6,7 @@
 mod motion;
 mod top;
 
-pub use motion::{Launch, fastest_rate};
+pub use motion::{Launch, MotionInput, fastest_rate};
 
 use super::section::{self, Key, Section};
 use super::text_file;
@@ -45,10 +45,8 @@ pub struct Scenario {
     pub name: String,
     /// Motion, with its top and its period.
     pub motion: TimedMotion,
-    /// Numbers of the top as they are given.
-    pub top: TopParameters,
-    /// State of the launch, or its branch points.
-    pub launch: Launch,
+    /// Numbers of the top and of the launch, as they are given.
+    pub input: MotionInput,
     /// Units of the numbers.
     pub units: Units,
 }
@@ -132,13 +130,8 @@ impl ScenarioFile {
         };
         let (top, parameters) = self.top()?;
         let (motion, launch) = motion::read(&self.section("motion")?, &top)?;
-        Ok(Scenario {
-            name: self.name.clone(),
-            motion: TimedMotion::new(motion),
-            top: parameters,
-            launch,
-            units,
-        })
+        let input = MotionInput { support: top.support(), top: parameters, launch };
+        Ok(Scenario { name: self.name.clone(), motion: TimedMotion::new(motion), input, units })
     }
 
     fn section(&self, name: &'static str) -> Result<Section<'_>, Failure> {

@@ -152,7 +152,7 @@ pub fn search(
     let conditions = query.kind.conditions(motion)?.into_iter();
     let mut events: Vec<_> =
         conditions.flat_map(|condition| ephemeris.source.events(condition, query)).collect();
-    events.sort_by(|a, b| a.t.total_cmp(&b.t));
+    events.sort_by(|a, b| a.sample.t.total_cmp(&b.sample.t));
     events.truncate(query.count);
     Ok(events)
 }

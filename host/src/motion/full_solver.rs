@@ -179,7 +179,7 @@ impl FullSolver {
 
 /// State of a scenario at t = 0: that of the launch without change, or for branch points that of the core's stepper.
 pub fn initial_state(scenario: &Scenario) -> FullState {
-    match scenario.launch {
+    match scenario.input.launch {
         Launch::State { orientation, omega } => FullState::new(&orientation, omega),
         Launch::BranchPoints { .. } => {
             let state = Stepper::<f64>::new(&scenario.motion).attitude_state();

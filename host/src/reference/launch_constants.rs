@@ -8,9 +8,8 @@ use super::float640::{
     Complex640, Float640, cis, conjugate, from_f64, from_i64, is_zero, norm_squared, product, square_root,
     to_f64,
 };
-use super::motion_input::MotionInput;
 use super::nutation::{HalfPhase, NutationConstants};
-use crate::input::scenario::Launch;
+use crate::input::scenario::{Launch, MotionInput};
 use std::f64::consts::PI;
 use toytop::{InitialAngles, Orientation, Sign, Signs, Support};
 

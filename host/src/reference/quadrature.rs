@@ -7,8 +7,8 @@ use super::float640::{
     Float640, Orientation640, cis, from_f64, from_i64, is_zero, product, square_root, to_f64,
 };
 use super::launch_constants::LaunchConstants;
-use super::motion_input::MotionInput;
 use super::nutation::{HalfPhase, Integrals, Nutation, RATIO, add_multiple};
+use crate::input::scenario::MotionInput;
 use toytop_model::equations::Rates;
 
 /// Motion by quadrature, with its integrals over a nutation.

@@ -4,7 +4,6 @@ use super::phases::{self, PhaseErrors};
 use super::trajectory::{Trajectory, TrajectoryRow};
 use crate::Failure;
 use crate::input::require_within;
-use crate::input::scenario::Scenario;
 use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::errors::{distance, drift, greater_or_infinite};
 use crate::motion::{Scalar, TimedMotion};
@@ -57,14 +56,12 @@ pub struct Score {
 const SUSPECT_DISTANCE: f64 = 0.01;
 
 impl<'a> Scorer<'a> {
-    /// Exact motion of a scenario, by its ephemeris in `f64`; `start` is the command that prints the state from which a run has to start.
+    /// Exact motion, by its ephemeris in `f64`; `start` is the command that prints the state from which a run has to start.
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
-    pub fn new(scenario: &'a Scenario, start: &str) -> Result<Self, Failure> {
-        let motion = &scenario.motion;
-        let ephemeris = MotionEphemeris::new(motion, Scalar::F64)
-            .map_err(|failure| failure.with_context(&scenario.name))?;
+    pub fn new(motion: &'a TimedMotion, start: &str) -> Result<Self, Failure> {
+        let ephemeris = MotionEphemeris::new(motion, Scalar::F64)?;
         Ok(Self { motion, ephemeris, start: start.to_owned() })
     }
 

@@ -4,9 +4,8 @@ use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 use serde_json::Value;
 use toytop::{Orientation, Support, TopParameters};
-use toytop_host::input::scenario::Launch;
+use toytop_host::input::scenario::{Launch, MotionInput};
 use toytop_host::reference::float640::{Float640, Orientation640, to_f64};
-use toytop_host::reference::motion_input::MotionInput;
 use toytop_host::reference::quadrature::Quadrature;
 use toytop_tests::vectors::{self, Vector, complex, entries, number, triple};
 

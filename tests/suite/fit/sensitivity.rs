@@ -3,9 +3,8 @@
 use toytop::su2::Vector;
 use toytop::{Complex, Motion, Orientation, State, Stepper, Support, TopParameters};
 use toytop_fit::{Partials, Sensitivity};
-use toytop_host::input::scenario::Launch;
+use toytop_host::input::scenario::{Launch, MotionInput};
 use toytop_host::reference::float640::{Float640, Orientation640, from_f64, product, to_f64};
-use toytop_host::reference::motion_input::MotionInput;
 use toytop_host::reference::quadrature::Quadrature;
 use toytop_tests::{apart, check, greater, length, tolerance, top_of, worst};
 

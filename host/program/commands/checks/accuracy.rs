@@ -14,13 +14,12 @@ use toytop::{InitialAngles, Regime, Support, TopParameters};
 use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::input::random::Random;
-use toytop_host::input::scenario::{Launch, Scenario};
+use toytop_host::input::scenario::{Launch, MotionInput, Scenario};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::Errors;
 use toytop_host::output::{self, Format};
 use toytop_host::reference::float640::{from_f64, from_i64};
-use toytop_host::reference::motion_input::MotionInput;
 use toytop_host::reference::quadrature::Quadrature;
 
 /// Errors of each scalar up to tick 2^40
@@ -139,9 +138,9 @@ fn input_of(scenario: &Scenario) -> Option<MotionInput> {
     let known = motion.regime() == Regime::Nutating && top.support() == Support::Sliding;
     let phases = InitialAngles::default();
     known.then(|| MotionInput {
-        support: top.support(),
-        top: TopParameters { mass: 0.0, mass_moment: top.mass_moment(), ..scenario.top },
+        top: TopParameters { mass: 0.0, mass_moment: top.mass_moment(), ..scenario.input.top },
         launch: Launch::BranchPoints { e: [e.e1, e.e2, e.e3], signs: motion.signs(), phases },
+        ..scenario.input
     })
 }
 

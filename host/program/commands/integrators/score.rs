@@ -120,7 +120,8 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     if !steps.is_empty() && steps.len() != results.len() {
         return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", results.len())));
     }
-    let reference = Scorer::new(&scenario, &start)?;
+    let reference =
+        Scorer::new(&scenario.motion, &start).map_err(|failure| failure.with_context(&scenario.name))?;
     let axes = problem.as_ref().map_or(Orientation::IDENTITY, |problem| problem.about.body_axes());
     let (mut files, mut warnings) = (Vec::new(), Vec::new());
     for (index, path) in results.iter().enumerate() {

@@ -100,7 +100,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
         let matching = search(&ephemeris, motion, &query).map_err(refused)?;
         events.extend(matching.into_iter().map(|event| (argument, event)));
     }
-    events.sort_by(|(_, a), (_, b)| a.t.total_cmp(&b.t));
+    events.sort_by(|(_, a), (_, b)| a.sample.t.total_cmp(&b.sample.t));
     events.truncate(count);
     let rows: Vec<_> = events.iter().map(|(argument, event)| EventRow::new(argument, event)).collect();
     let table = || match &rows[..] {
@@ -143,7 +143,7 @@ struct EventRow<'a> {
 
 impl<'a> EventRow<'a> {
     fn new(argument: &'a KindArgument, event: &MotionEvent) -> Self {
-        let MotionSample { pose, tip_angle, .. } = &event.sample;
+        let MotionSample { t, pose, tip_angle, .. } = event.sample;
         let sense = match (argument.kind, event.upward) {
             (EventKind::Turning, true) => "upper",
             (EventKind::Turning, false) => "lower",
@@ -152,7 +152,7 @@ impl<'a> EventRow<'a> {
         };
         let tilt = 2.0 * pose.orientation.beta.modulus().atan2(pose.orientation.alpha.modulus());
         Self {
-            t: event.t,
+            t,
             kind: &argument.text,
             sense,
             u: pose.u,

@@ -40,8 +40,7 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
     let inputs = [Some(&*arguments.scenario), arguments.sensors.as_deref()];
     whole_file::require_other("--output", Some(&arguments.output), &inputs)?;
     let scenario = Scenario::read(&arguments.scenario)?;
-    let height = scenario.top.com_height;
-    let body = Body::new(scenario.motion.top(), height);
+    let body = Body::new(scenario.motion.top(), scenario.input.top.com_height);
     let sensors = Sensors::read(arguments.sensors.as_deref(), body)?;
     let recording =
         Recording::new(arguments.sample_rate, arguments.duration, arguments.seed).ok_or_else(|| {

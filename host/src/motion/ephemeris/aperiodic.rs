@@ -98,7 +98,7 @@ impl MotionSource for ClosedFormSource {
                 // at the lowest point u is least
                 let upward = sense > 0.0 && condition != Condition::Turning;
                 if query.includes(t, upward) {
-                    events.push(MotionEvent::new(condition, t, upward, self.sample(t, None, None)));
+                    events.push(MotionEvent::new(condition, upward, self.sample(t, None, None)));
                 }
             }
             (time, before) = (next, after);

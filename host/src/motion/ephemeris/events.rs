@@ -63,24 +63,22 @@ impl EventQuery {
     }
 }
 
-/// Event with its time and the motion there.
+/// Event with the motion there.
 pub struct MotionEvent {
-    /// Time in the motion's unit.
-    pub t: f64,
     /// Whether u increases there, or the tip angle. At a turning point: whether u = e₂.
     pub upward: bool,
     /// Upper bound on the error of the time: the bound of u or of the tip angle, divided by its rate. `None` for a turning point, and where
     /// the rate is 0.
     pub time_error: Option<f64>,
-    /// Motion at the event.
+    /// Motion at the event, whose time is that of the event.
     pub sample: MotionSample,
 }
 
 impl MotionEvent {
     /// Event at which a condition holds.
-    pub fn new(condition: Condition, t: f64, upward: bool, sample: MotionSample) -> Self {
+    pub fn new(condition: Condition, upward: bool, sample: MotionSample) -> Self {
         let time_error = time_error(condition, &sample).filter(|error| error.is_finite());
-        Self { t, upward, time_error, sample }
+        Self { upward, time_error, sample }
     }
 }
 

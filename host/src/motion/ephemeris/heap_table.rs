@@ -104,7 +104,7 @@ where
             if query.includes(t, event.upward) {
                 unwanted = 0;
                 let sample = sample(table, &table.at_event(&event), t, None);
-                included.push(MotionEvent::new(condition, t, event.upward, sample));
+                included.push(MotionEvent::new(condition, event.upward, sample));
             } else {
                 unwanted += 1;
             }

@@ -3,12 +3,12 @@
 use super::random_launch;
 use toytop::{ParameterError, Regime};
 use toytop_host::input::random::Random;
+use toytop_host::input::scenario::MotionInput;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::TimedMotion;
 use toytop_host::motion::ephemeris::{EphemerisSettings, EventKind, EventQuery, MotionEphemeris, search};
 use toytop_host::motion::errors::{greater_or_infinite, rate_error};
 use toytop_host::reference::float640::{Float640, from_f64, from_i64, to_i64};
-use toytop_host::reference::motion_input::MotionInput;
 use toytop_host::reference::quadrature::Quadrature;
 
 /// Launch that was tried.
@@ -108,7 +108,7 @@ fn norm_over_bound(ephemeris: &MotionEphemeris, motion: &TimedMotion, times: &[f
     let e = motion.branch_points();
     let query = EventQuery { kind: EventKind::Turning, from: 0.0, upward: None, count: 2 };
     let turning = search(ephemeris, motion, &query).unwrap_or_default();
-    let turning = turning.into_iter().map(|event| (event.t, if event.upward { e.e2 } else { e.e1 }));
+    let turning = turning.into_iter().map(|event| (event.sample.t, if event.upward { e.e2 } else { e.e1 }));
     let turning = turning.filter(|_| motion.regime() == Regime::Nutating);
     let norms = times.iter().map(|&t| (t, ephemeris.pose(t).orientation.norm_squared() - 1.0));
     let heights = turning.map(|(t, u)| (t, ephemeris.pose(t).orientation.u() - u));
