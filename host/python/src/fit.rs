@@ -12,6 +12,7 @@ use toytop_fit::{Drift, Measurement};
 use toytop_host::fit::result::{FitInput, FitResult, fit_launch};
 use toytop_host::fit::sensors::{Body, Sensors};
 use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
+use toytop_host::fit::summary::FitSummary;
 use toytop_host::{Refusal, fit::columns::Columns};
 
 /// Fitted launch with the covariance of its unknowns.
@@ -85,7 +86,7 @@ fn fields<'py>(py: Python<'py>, report: &FitResult, residuals: Columns) -> PyRes
         (None, Ok(text)) => Bound::new(py, MotionCore::from_text("fitted", &text)?)?.into_any(),
     };
     let [_, tilt] = report.spin_and_tilt();
-    let fields = pythonize(py, &report.summary())?.cast_into::<PyDict>()?;
+    let fields = pythonize(py, &FitSummary::new(report))?.cast_into::<PyDict>()?;
     fields.set_item("core", FittedLaunch(core))?;
     fields.set_item("launched", launched)?;
     fields.set_item("loss_names", Drift::LOSS_NAMES)?;

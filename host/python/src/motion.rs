@@ -2,9 +2,9 @@
 
 mod changes;
 mod events;
-mod truth_and_closed_form;
+mod reference_and_closed_form;
 
-pub(crate) use truth_and_closed_form::ClosedFormCore;
+pub(crate) use reference_and_closed_form::ClosedFormCore;
 
 use crate::arguments::{NumericArg, failed, renamed, require_within, value_error};
 use crate::samples::{Sampler, SharedEphemeris, Source};
@@ -30,7 +30,7 @@ pub(crate) struct MotionCore {
     pub(crate) motion: TimedMotion,
     tables: [OnceLock<Result<SharedEphemeris, String>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
-    pub(crate) truth: OnceLock<Quadrature>,
+    pub(crate) reference: OnceLock<Quadrature>,
 }
 
 /// Scalar of this name.
@@ -44,7 +44,7 @@ pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
 
 impl MotionCore {
     pub(crate) fn new(top: TopCore, launch: Launch, motion: TimedMotion) -> Self {
-        Self { top, launch, motion, tables: Default::default(), truth: OnceLock::new() }
+        Self { top, launch, motion, tables: Default::default(), reference: OnceLock::new() }
     }
 
     /// Motion from a state, with this name of the rates in error messages.

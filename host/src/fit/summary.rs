@@ -1,151 +1,8 @@
-//! Numbers of a fitted launch by name, with standard deviations and residuals, for the report, JSON, CSV and Python.
+//! Numbers of a fit by the keys of JSON, for the report, CSV and Python too.
 
-use super::result::{FitInput, FitResult};
-use crate::Failure;
-use crate::input::scenario::{Launch, to_toml};
-use crate::input::section;
-use crate::output::{exact, significant};
+use super::result::{Estimated, FitResult};
 use serde::{Serialize, Serializer};
-use toml::Value;
-use toytop_fit::{Drift, Measurement, Partials, Sensitivity};
-use toytop_model::equations::dot;
-
-/// Fitted value with its standard deviation.
-#[derive(Clone, Copy, Serialize)]
-pub struct Estimated<T> {
-    /// Standard deviation.
-    pub deviation: T,
-    /// Value.
-    pub value: T,
-}
-
-/// Rates of change of l, n and h with their units.
-pub const RATES: [(&str, &str); 3] = [("dl/dt", "N m"), ("dn/dt", "N m"), ("dh/dt", "W")];
-
-impl FitResult {
-    /// Values of the free keys with their standard deviations.
-    fn freed(&self) -> Vec<(&str, Estimated<f64>)> {
-        let FitInput { top, table, free, .. } = &self.input;
-        let deviations = self.fitted.deviations();
-        // the logarithm of the fitted value over the given one is the unknown
-        let logarithms = self.fitted.launch.other_unknowns().iter().zip(&deviations[6..]);
-        free.iter()
-            .zip(logarithms)
-            .map(|(key, (logarithm, deviation))| {
-                let given = table.get(key).and_then(section::as_f64).unwrap_or(top.gravity());
-                let value = given * logarithm.exp();
-                (key.as_str(), Estimated { deviation: value * deviation, value })
-            })
-            .collect()
-    }
-
-    /// Biases by sensor, with their standard deviations.
-    fn biases(&self) -> Vec<(&'static str, Estimated<[f64; 3]>)> {
-        let deviations = self.fitted.deviations();
-        let losses = if self.fitted.drift.is_some() { Drift::LOSS_NAMES.len() } else { 0 };
-        let before = self.input.free.len() + losses;
-        let values = self.fitted.launch.other_unknowns()[before..].as_chunks().0;
-        let deviations = deviations[6 + before..].as_chunks().0;
-        let setups = self.input.sensors.setups.iter();
-        let biased = setups.filter(|setup| setup.sensor.noise().bias > 0.0);
-        let estimates =
-            values.iter().zip(deviations).map(|(&value, &deviation)| Estimated { deviation, value });
-        biased.map(|setup| setup.kind.name()).zip(estimates).collect()
-    }
-
-    /// Whether any value was used. Otherwise the launch is only the first guess.
-    pub fn used_any_sample(&self) -> bool {
-        self.fitted.statistics.used > 0
-    }
-
-    /// Spin ω·r and tilt (rad), each with its standard deviation.
-    pub fn spin_and_tilt(&self) -> [Estimated<f64>; 2] {
-        let launch = &self.fitted.launch;
-        let (r, w) = (launch.orientation.axis(), launch.omega);
-        let deviation = |row: [f64; 6]| variance(row, |i, j| self.fitted.covariance.get(i, j)).sqrt();
-        // ω turns with the axis
-        let spin = deviation([0.0, 0.0, 0.0, r[0], r[1], r[2]]);
-        let level = (r[0] * r[0] + r[1] * r[1]).sqrt();
-        let lean = if level > 0.0 { [-r[1] / level, r[0] / level] } else { [1.0, 0.0] };
-        let tilt = deviation([lean[0], lean[1], 0.0, 0.0, 0.0, 0.0]);
-        [
-            Estimated { deviation: spin, value: dot(w, r) },
-            Estimated { deviation: tilt, value: level.atan2(r[2]) },
-        ]
-    }
-
-    /// Standard deviations of the orientation and of the axis, rad, at a time with these derivatives.
-    fn predicted(&self, partials: &Partials) -> [f64; 2] {
-        let covariance = self.fitted.orientation_covariance(partials);
-        let trace: f64 = (0..3).map(|k| covariance[k][k]).sum();
-        let along = variance(partials.axis(), |i, j| covariance[i][j]);
-        [trace, trace - along].map(|variance| variance.max(0.0).sqrt())
-    }
-
-    /// Names of the directions of the launch that the samples do not determine.
-    fn undetermined(&self) -> Vec<&'static str> {
-        let unobservable = self.fitted.unobservable;
-        let named = [(unobservable.yaw, "yaw"), (unobservable.roll, "roll"), (unobservable.spin, "spin")];
-        let mut names: Vec<_> = named.iter().filter(|(is, _)| *is).map(|(_, name)| *name).collect();
-        if unobservable.count > names.len() {
-            names.push("other");
-        }
-        names
-    }
-
-    /// Residuals of each measurement in standard deviations of the noise, after subtraction of the fitted bias. NaN stands for a
-    /// component that the sensor does not have or that is at the end of its range, and for a measurement at a time at which
-    /// the derivatives of the motion cannot be computed. All residuals are NaN if no top has the fitted numbers.
-    pub fn residuals(&self, measurements: &[Measurement]) -> Vec<[f64; 3]> {
-        let Ok(mut sensitivity) = self.fitted.sensitivity() else {
-            return vec![[f64::NAN; 3]; measurements.len()];
-        };
-        let biases = self.biases();
-        let residual = |Measurement { time, sensor, values }: &Measurement| {
-            let Some(partials) = sensitivity.advance_to(time - self.fitted.time) else {
-                return [f64::NAN; 3];
-            };
-            let setup = &self.input.sensors.setups[*sensor];
-            let bias = biases.iter().find(|(name, _)| *name == setup.kind.name());
-            let bias = bias.map_or([0.0; 3], |(_, bias)| bias.value);
-            let predicted = setup.sensor.residual(&partials, values);
-            [0, 1, 2].map(|k| {
-                let deviation = predicted.deviation[k];
-                if deviation.is_finite() { (predicted.difference[k] - bias[k]) / deviation } else { f64::NAN }
-            })
-        };
-        measurements.iter().map(residual).collect()
-    }
-
-    /// Scenario of the fitted launch, which is its state at t = 0.
-    ///
-    /// # Errors
-    /// [`Failure::Input`]: no top has the fitted numbers.
-    pub fn scenario(&self, units: Option<&str>) -> Result<String, Failure> {
-        let refuse = |error: toytop::ParameterError| Failure::Input(format!("the fitted top: {error}"));
-        self.fitted.motion().map_err(refuse)?;
-        let state = self.fitted.state().map_err(refuse)?;
-        let mut text =
-            format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", exact(self.fitted.time));
-        if let Some(drift) = &self.fitted.drift {
-            let deviations = drift.deviations();
-            let rate = |(k, (name, unit)): (usize, &(&str, &str))| {
-                format!(
-                    "{name} = {} +- {} {unit}",
-                    significant(drift.rates[k], 4),
-                    significant(deviations[k], 2)
-                )
-            };
-            let rates = RATES.iter().enumerate().map(rate).collect::<Vec<_>>().join(", ");
-            text +=
-                &format!("# Drift during the samples, which the motion below does not contain: {rates}\n");
-        }
-        let mut top = self.input.table.clone();
-        top.extend(self.freed().into_iter().map(|(key, free)| (key.to_owned(), Value::from(free.value))));
-        let units = units.map(|units| format!("units = {units:?}\n")).unwrap_or_default();
-        Ok(format!("{text}{units}\n{}", to_toml(&top, &Launch::from(&state))))
-    }
-}
+use toytop_fit::Sensitivity;
 
 /// Numbers of a fit. Their names are the keys of JSON.
 #[derive(Serialize)]
@@ -229,22 +86,22 @@ pub struct Prediction {
 /// Unknowns of the covariance.
 const UNKNOWNS: &str = "rotation vector delta of the orientation in the fixed frame, change of omega in the frame that delta turns, others";
 
-impl FitResult {
-    /// Numbers of the fit by name.
-    pub fn summary(&self) -> FitSummary<'_> {
-        let fitted = &self.fitted;
+impl<'a> FitSummary<'a> {
+    /// Numbers of a fit by name.
+    pub fn new(fit: &'a FitResult) -> Self {
+        let fitted = &fit.fitted;
         let (launch, statistics, count) = (&fitted.launch, &fitted.statistics, fitted.unknown_count);
         let [d0, d1, d2, d3, d4, d5, ..] = fitted.deviations();
-        let [spin, tilt] = self.spin_and_tilt();
+        let [spin, tilt] = fit.spin_and_tilt();
         let drift = fitted.drift.as_ref().map(|drift| DriftSummary {
             deviation: drift.deviations(),
             losses: drift.losses,
             rates: drift.rates,
         });
         let covariance = |i| (0..count).map(|j| fitted.covariance.get(i, j)).collect();
-        FitSummary {
+        Self {
             converged: fitted.is_trusted(),
-            reason: self.reason.as_deref(),
+            reason: fit.reason.as_deref(),
             epoch: fitted.time,
             quaternion: launch.orientation.quaternion(),
             orientation_deviation: [d0, d1, d2],
@@ -254,8 +111,8 @@ impl FitResult {
             spin_deviation: spin.deviation,
             tilt_deg: tilt.value.to_degrees(),
             tilt_deviation_deg: tilt.deviation.to_degrees(),
-            free: self.freed(),
-            biases: self.biases(),
+            free: fit.freed(),
+            biases: fit.biases(),
             drift,
             covariance: (0..count).map(covariance).collect(),
             covariance_of: UNKNOWNS,
@@ -265,21 +122,23 @@ impl FitResult {
             saturated: statistics.unused,
             outliers: statistics.outliers,
             largest_residual: statistics.largest,
-            undetermined: self.undetermined(),
+            undetermined: fit.undetermined(),
             alternatives: fitted.other_launch_count,
-            prediction: self.predictions(),
+            prediction: Prediction::all(fit),
         }
     }
+}
 
+impl Prediction {
     /// Predictions up to ten seconds after the samples; none where there is no launch.
-    fn predictions(&self) -> Vec<Prediction> {
+    fn all(fit: &FitResult) -> Vec<Self> {
         const AHEAD: [f64; 5] = [0.0, 1.0, 2.0, 5.0, 10.0];
-        let motion = self.fitted.motion().ok().filter(|_| self.used_any_sample());
+        let motion = fit.fitted.motion().ok().filter(|_| fit.used_any_sample());
         let Some(sensitivity) = motion.map(|motion| Sensitivity::new(&motion)) else { return Vec::new() };
         let at = |ahead: &f64| {
-            let t = self.end + ahead;
-            let [orientation_rad, axis_rad] = self.predicted(&sensitivity.at(t - self.fitted.time)?);
-            Some(Prediction { axis_rad, orientation_rad, t })
+            let t = fit.end + ahead;
+            let [orientation_rad, axis_rad] = fit.predicted(&sensitivity.at(t - fit.fitted.time)?);
+            Some(Self { axis_rad, orientation_rad, t })
         };
         AHEAD.iter().filter_map(at).collect()
     }
@@ -287,9 +146,4 @@ impl FitResult {
 
 fn as_map<T: Serialize, S: Serializer>(pairs: &[(&str, T)], serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_map(pairs.iter().map(|(key, value)| (key, value)))
-}
-
-/// Variance of a sum of unknowns with these factors.
-fn variance<const N: usize>(factors: [f64; N], covariance: impl Fn(usize, usize) -> f64) -> f64 {
-    (0..N).map(|i| (0..N).map(|j| factors[i] * covariance(i, j) * factors[j]).sum::<f64>()).sum()
 }

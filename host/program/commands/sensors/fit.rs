@@ -14,6 +14,7 @@ use std::slice;
 use toytop_host::fit::columns;
 use toytop_host::fit::result::{FREE_KEYS, FitInput, fit_launch};
 use toytop_host::fit::sensors::{Body, Sensors};
+use toytop_host::fit::summary::FitSummary;
 use toytop_host::input::scenario::ScenarioFile;
 use toytop_host::output::{self, Format};
 use toytop_host::{Failure, excerpt};
@@ -106,7 +107,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
         }
     }
     whole_file::write_all(&files)?;
-    let summary = fit.summary();
+    let summary = FitSummary::new(&fit);
     let table = || report::table(&fit, &summary);
     let text = output::render(arguments.format, &summary, slice::from_ref(&summary), table);
     Ok(Report { text, notes, check_failed: !converged })

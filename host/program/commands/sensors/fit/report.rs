@@ -1,8 +1,8 @@
 //! Fitted launch as a table.
 
 use crate::terminal::table::TextTable;
-use toytop_host::fit::result::FitResult;
-use toytop_host::fit::summary::{DriftSummary, Estimated, FitSummary, Prediction, RATES};
+use toytop_host::fit::result::{Estimated, FitResult, RATES};
+use toytop_host::fit::summary::{DriftSummary, FitSummary, Prediction};
 use toytop_host::output::significant;
 
 /// Report as text, or the reason why there is no launch.

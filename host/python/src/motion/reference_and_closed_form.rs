@@ -1,4 +1,4 @@
-//! Other methods for a motion at a time: its closed form, where it has one, and the truth to more than thirty digits.
+//! Other methods for a motion at a time: its closed form, where it has one, and the reference to more than thirty digits.
 
 use crate::arguments::{NumericArg, require_within, value_error};
 use crate::interrupt;
@@ -55,16 +55,16 @@ const ROUNDING: f64 = 0.25 * f64::EPSILON * 4.0;
 
 #[pymethods]
 impl MotionCore {
-    /// Samples of the truth at these times.
+    /// Samples of the reference at these times.
     fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
         require_within(self.motion.furthest_time(), &t.numbers)?;
-        let (truth, unit) = (py.detach(|| self.truth()), self.motion.characteristic_time());
+        let (reference, unit) = (py.detach(|| self.quadrature()), self.motion.characteristic_time());
         Sampler::by_method(py, t, &self.motion, Some(ROUNDING), |t| {
-            (truth.at(&from_f64(t)).to_f64(), truth.rates(&from_f64(t), unit))
+            (reference.at(&from_f64(t)).to_f64(), reference.rates(&from_f64(t), unit))
         })
     }
 
-    /// Quaternions of the truth to this number of digits, as texts, and the shape of the times.
+    /// Quaternions of the reference to this number of digits, as texts, and the shape of the times.
     fn reference_digits(
         &self,
         py: Python<'_>,
@@ -72,9 +72,9 @@ impl MotionCore {
         digits: usize,
     ) -> PyResult<(Vec<[String; 4]>, Vec<usize>)> {
         require_within(self.motion.furthest_time(), &t.numbers)?;
-        let truth = py.detach(|| self.truth());
+        let reference = py.detach(|| self.quadrature());
         let texts = interrupt::map(py, t.numbers.len(), |index| {
-            let phi = truth.at(&from_f64(t.numbers[index]));
+            let phi = reference.at(&from_f64(t.numbers[index]));
             let [[w, z], [y, x]] = [phi.alpha, phi.beta];
             [w, x, -y, z].map(|component| decimal(&component, digits))
         })?;
@@ -84,8 +84,8 @@ impl MotionCore {
 
 impl MotionCore {
     /// Motion in numbers of 640 bits.
-    fn truth(&self) -> &Quadrature {
-        self.truth.get_or_init(|| {
+    fn quadrature(&self) -> &Quadrature {
+        self.reference.get_or_init(|| {
             let TopCore { top, parameters } = self.top;
             Quadrature::new(&MotionInput { support: top.support(), top: parameters, launch: self.launch })
         })
