@@ -10,7 +10,7 @@ use pyo3::types::{IntoPyDict, PyDict, PyString};
 use pythonize::{depythonize, pythonize};
 use toytop_fit::{Drift, Measurement};
 use toytop_host::fit::result::{FitInput, FitResult, fit_launch};
-use toytop_host::fit::sensors::{Body, Sensors};
+use toytop_host::fit::sensors::{Sensors, centre_of_mass};
 use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
 use toytop_host::fit::summary::FitSummary;
 use toytop_host::{Refusal, fit::columns::Columns};
@@ -124,12 +124,12 @@ pub(crate) fn simulate<'py>(
 /// # Errors
 /// `ValueError` that names the key.
 fn sensors(given: Option<&(String, Bound<'_, PyAny>)>, top: &TopCore) -> PyResult<Sensors> {
-    let body = Body::new(&top.top, top.parameters.com_height);
+    let com = centre_of_mass(&top.top, top.parameters.com_height);
     match given {
-        None => Ok(Sensors::telephone(body)),
+        None => Ok(Sensors::telephone(com)),
         Some((file, given)) => match given.extract::<String>() {
-            Ok(text) => Sensors::parse(file, &text, body),
-            Err(_) => Sensors::from_table(file, &depythonize(given)?, body),
+            Ok(text) => Sensors::parse(file, &text, com),
+            Err(_) => Sensors::from_table(file, &depythonize(given)?, com),
         }
         .map_err(failed),
     }

@@ -50,34 +50,18 @@ impl TopCore {
         support_name(self.top.support())
     }
 
-    #[getter]
-    fn transverse_inertia(&self) -> f64 {
-        self.top.transverse_inertia()
-    }
-
-    #[getter]
-    fn axial_inertia(&self) -> f64 {
-        self.top.axial_inertia()
-    }
-
-    #[getter]
-    fn com_height(&self) -> f64 {
-        self.top.com_height()
-    }
-
-    #[getter]
-    fn mass_moment(&self) -> f64 {
-        self.top.mass_moment()
-    }
-
-    #[getter]
-    fn gravity(&self) -> f64 {
-        self.top.gravity()
-    }
-
-    #[getter]
-    fn rotor_momentum(&self) -> f64 {
-        self.top.rotor_momentum()
+    /// Number of the top by the name of its parameter; 0 where the top does not need it, NaN for another name.
+    fn number(&self, name: &str) -> f64 {
+        let number = match name {
+            "transverse_inertia" => Top::transverse_inertia,
+            "axial_inertia" => Top::axial_inertia,
+            "com_height" => Top::com_height,
+            "mass_moment" => Top::mass_moment,
+            "gravity" => Top::gravity,
+            "rotor_momentum" => Top::rotor_momentum,
+            _ => return f64::NAN,
+        };
+        number(&self.top)
     }
 
     fn e4(&self) -> Option<f64> {

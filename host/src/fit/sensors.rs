@@ -90,8 +90,6 @@ pub struct SensorSetup {
     pub kind: SensorKind,
     /// Sensor as the core has it.
     pub sensor: Box<dyn Sensor + Send + Sync>,
-    /// Standard deviations of bias and noise.
-    pub noise: Noise,
     /// Largest magnitude of a reading.
     pub range: f64,
     /// Smallest step of a reading; 0 for none.
@@ -131,21 +129,12 @@ every = 10
 /// Fraction of the range above which a reading counts as saturated.
 const SATURATION_FRACTION: f64 = 0.999;
 
-/// Body that carries sensors.
-#[derive(Clone, Copy)]
-pub struct Body {
-    /// Position of the centre of mass relative to the point that the moments of inertia refer to, in the body frame, m.
-    pub com: [f64; 3],
-}
-
-impl Body {
-    /// Body of a top. The origin is the centre of mass of a sliding top or a free body, and the tip of a held top.
-    ///
-    /// * `com_height`: distance of the centre of mass from the tip, m, or 0 if it is not known
-    pub fn new(top: &Top, com_height: f64) -> Self {
-        let height = if top.support() == Support::Fixed { com_height } else { 0.0 };
-        Self { com: [0.0, 0.0, height] }
-    }
+/// Position of the centre of mass of a top in the body frame, m. The origin is the centre of mass of a sliding top or a free body, and the tip of
+/// a held top.
+///
+/// * `com_height`: distance of the centre of mass from the tip, m, or 0 if it is not known
+pub fn centre_of_mass(top: &Top, com_height: f64) -> [f64; 3] {
+    [0.0, 0.0, if top.support() == Support::Fixed { com_height } else { 0.0 }]
 }
 
 impl Sensors {
@@ -157,33 +146,35 @@ impl Sensors {
     /// A consumer MEMS gyroscope (2000 degrees per second, noise 0.005 degrees per second and root hertz in 500 Hz, bias 1
     /// degree per second), accelerometer (16 g, 100 micro-g per root hertz, bias 20 milli-g) and magnetometer (0.6 microtesla, one
     /// reading in ten samples) at the centre of mass.
-    pub fn telephone(body: Body) -> Self {
-        Self::parse("telephone", TELEPHONE, body).expect("sensors in range")
+    pub fn telephone(com: [f64; 3]) -> Self {
+        Self::parse("telephone", TELEPHONE, com).expect("sensors in range")
     }
 
     /// Sensors of a file, or without one of a telephone.
     ///
+    /// * `com`: [`centre_of_mass`], where a sensor is that has no position
+    ///
     /// # Errors
     /// [`Failure::Input`]: the file cannot be read, or as [`Sensors::parse`].
-    pub fn read(path: Option<&Path>, body: Body) -> Result<Self, Failure> {
-        let Some(path) = path else { return Ok(Self::telephone(body)) };
+    pub fn read(path: Option<&Path>, com: [f64; 3]) -> Result<Self, Failure> {
+        let Some(path) = path else { return Ok(Self::telephone(com)) };
         let file = path.display().to_string();
-        Self::parse(&file, &text_file::read(&file, path, 1)?, body)
+        Self::parse(&file, &text_file::read(&file, path, 1)?, com)
     }
 
     /// Sensors of the text of a file; `file` is its name in messages.
     ///
     /// # Errors
     /// [`Failure::Input`]: no TOML, or a key is unknown, missing or out of range.
-    pub fn parse(file: &str, text: &str, body: Body) -> Result<Self, Failure> {
-        Self::from_table(file, &section::parse(file, text)?, body)
+    pub fn parse(file: &str, text: &str, com: [f64; 3]) -> Result<Self, Failure> {
+        Self::from_table(file, &section::parse(file, text)?, com)
     }
 
     /// Sensors of a parsed file; `file` is its name in messages.
     ///
     /// # Errors
     /// [`Failure::Input`]: a key is unknown, missing or out of range.
-    pub fn from_table(file: &str, table: &Table, body: Body) -> Result<Self, Failure> {
+    pub fn from_table(file: &str, table: &Table, com: [f64; 3]) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(format!("{file}: {reason}")));
         let mut sensors = Self { setups: Vec::new(), jitter: 0.0, dropped: 0.0 };
         for (name, value) in table {
@@ -192,7 +183,7 @@ impl Sensors {
             };
             let section = Section { file, name, table };
             match SensorKind::ALL.into_iter().find(|kind| kind.name() == name) {
-                Some(kind) => sensors.setups.push(setup(&section, kind, body)?),
+                Some(kind) => sensors.setups.push(setup(&section, kind, com)?),
                 None if name == "timing" => {
                     [sensors.jitter, sensors.dropped] = section.only_numbers(None, &TIMING)?;
                 }
@@ -248,7 +239,7 @@ static ROTATION: Key = Key::required("rotation", "a unit quaternion [w, x, y, z]
 static POSITION: Key = Key::required("position", "an array of 3 finite numbers");
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
-fn setup(section: &Section<'_>, kind: SensorKind, body: Body) -> Result<SensorSetup, Failure> {
+fn setup(section: &Section<'_>, kind: SensorKind, com: [f64; 3]) -> Result<SensorSetup, Failure> {
     section.only(None, kind.description().2.iter().copied())?;
     let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias };
@@ -261,7 +252,7 @@ fn setup(section: &Section<'_>, kind: SensorKind, body: Body) -> Result<SensorSe
         return Err(section.not_allowed(&ROTATION));
     }
     let rotation = Orientation::from_quaternion(rotation).normalised();
-    let mounting = Mounting { rotation, place: section.array(&POSITION, Some(body.com))? };
+    let mounting = Mounting { rotation, place: section.array(&POSITION, Some(com))? };
     let sensor: Box<dyn Sensor + Send + Sync> = match kind {
         SensorKind::Gyroscope => Box::new(Gyroscope { noise, mounting, range: SATURATION_FRACTION * range }),
         SensorKind::Accelerometer => {
@@ -281,5 +272,5 @@ fn setup(section: &Section<'_>, kind: SensorKind, body: Body) -> Result<SensorSe
             Box::new(Mark { deviation, place: section.array(&POSITION, Some([1.0, 0.0, 0.0]))? })
         }
     };
-    Ok(SensorSetup { kind, sensor, noise, range, quantum, every: every as u64 })
+    Ok(SensorSetup { kind, sensor, range, quantum, every: every as u64 })
 }

@@ -39,7 +39,7 @@ pub fn simulate_measurements(
     let mut random = Random::new(recording.seed, 0);
     let setups = &sensors.setups;
     let biases: Vec<_> =
-        setups.iter().map(|one| [0; 3].map(|_| one.noise.bias * normal(&mut random))).collect();
+        setups.iter().map(|one| [0; 3].map(|_| one.sensor.noise().bias * normal(&mut random))).collect();
     let mut measurements = Vec::new();
     // angles of the marks at the sample before
     let mut before: Vec<Option<f64>> = vec![None; setups.len()];
@@ -48,9 +48,10 @@ pub fn simulate_measurements(
         let partials = cursor.advance_to(time + sensors.jitter * normal(&mut random))?;
         let dropped = random.uniform() < sensors.dropped;
         for (sensor, setup) in setups.iter().enumerate() {
-            let SensorSetup { kind, noise, range, quantum, every, .. } = setup;
+            let SensorSetup { kind, sensor: model, range, quantum, every } = setup;
+            let noise = model.noise();
             // the difference of a reading of 0 from the prediction
-            let difference = |partials: &Partials| setup.sensor.residual(partials, &[0.0; 4]).difference;
+            let difference = |partials: &Partials| model.residual(partials, &[0.0; 4]).difference;
             if *kind == SensorKind::Mark {
                 let ahead = |time| Some(difference(&sensitivity.at(time)?)[0]);
                 let [now, ..] = difference(&partials);

@@ -2,6 +2,8 @@
 
 mod events;
 
+mod source;
+
 mod aperiodic;
 mod heap_table;
 
@@ -13,8 +15,8 @@ use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::{MotionSample, Quantity};
 use aperiodic::ClosedFormSource;
-use events::Condition;
 use fixed::types::{I2F14, I2F30};
+use source::MotionSource;
 use toytop::{ErrorBound, Motion, ParameterError, Pose, Regime, TableScalar, TableSettings, Tick};
 use toytop_model::timed_motion::{MAX_TICKS, TimedMotion};
 
@@ -31,18 +33,6 @@ pub struct MotionEphemeris {
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     pub rate_error_bound: ErrorBound,
     source: Box<dyn MotionSource>,
-}
-
-/// Table or closed form, from which samples and events are computed.
-trait MotionSource: Send + Sync {
-    /// Sample at the time t, taken as exact.
-    ///
-    /// * `tick`: number of the tick at this time, if it is one
-    /// * `only`: quantity that is computed; without it, all of them
-    fn sample(&self, t: f64, tick: Option<i64>, only: Option<Quantity>) -> MotionSample;
-
-    /// First events at which a condition holds, of those that the query includes.
-    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
 }
 
 /// Settings of an ephemeris. A scalar stands for its default settings.

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 use std::slice;
 use toytop_host::fit::columns;
 use toytop_host::fit::result::{FREE_KEYS, FitInput, fit_launch};
-use toytop_host::fit::sensors::{Body, Sensors};
+use toytop_host::fit::sensors::{Sensors, centre_of_mass};
 use toytop_host::fit::summary::FitSummary;
 use toytop_host::input::scenario::ScenarioFile;
 use toytop_host::output::{self, Format};
@@ -71,7 +71,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let scenario = ScenarioFile::read(top)?;
     let (top, parameters) = scenario.top()?;
     let all = sensors.is_some();
-    let mut sensors = Sensors::read(sensors.as_deref(), Body::new(&top, parameters.com_height))?;
+    let mut sensors = Sensors::read(sensors.as_deref(), centre_of_mass(&top, parameters.com_height))?;
     let (measurements, unused) = columns::read(samples, &mut sensors, all)?;
     let table = scenario.table.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };

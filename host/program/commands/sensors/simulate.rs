@@ -7,7 +7,7 @@ use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;
 use toytop_host::fit::columns;
-use toytop_host::fit::sensors::{Body, Sensors};
+use toytop_host::fit::sensors::{Sensors, centre_of_mass};
 use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
 use toytop_host::input::scenario::Scenario;
 
@@ -40,8 +40,8 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
     let inputs = [Some(&*arguments.scenario), arguments.sensors.as_deref()];
     whole_file::require_other("--output", Some(&arguments.output), &inputs)?;
     let scenario = Scenario::read(&arguments.scenario)?;
-    let body = Body::new(scenario.motion.top(), scenario.input.top.com_height);
-    let sensors = Sensors::read(arguments.sensors.as_deref(), body)?;
+    let com = centre_of_mass(scenario.motion.top(), scenario.input.top.com_height);
+    let sensors = Sensors::read(arguments.sensors.as_deref(), com)?;
     let recording =
         Recording::new(arguments.sample_rate, arguments.duration, arguments.seed).ok_or_else(|| {
             Failure::Input(format!("--sample-rate, --duration: must give from 1 to {MAX_SAMPLES:e} samples"))

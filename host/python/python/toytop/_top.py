@@ -184,32 +184,32 @@ class Top:
     @property
     def transverse_inertia(self) -> float:
         """Transverse moment of inertia A, kg m²: about the centre of mass for a sliding tip, about the tip for a fixed one."""
-        return self._core.transverse_inertia
+        return self._core.number("transverse_inertia")
 
     @property
     def axial_inertia(self) -> float:
         """Axial moment of inertia C, kg m²."""
-        return self._core.axial_inertia
+        return self._core.number("axial_inertia")
 
     @property
     def com_height(self) -> float:
         """Distance s of the centre of mass from a sliding tip, m; 0 for a fixed tip, for which only the mass moment matters."""
-        return self._core.com_height
+        return self._core.number("com_height")
 
     @property
     def mass_moment(self) -> float:
         """Mass moment p = M s, kg m."""
-        return self._core.mass_moment
+        return self._core.number("mass_moment")
 
     @property
     def gravity(self) -> float:
         """Gravity g, m/s²."""
-        return self._core.gravity
+        return self._core.number("gravity")
 
     @property
     def rotor_momentum(self) -> float:
         """Axial angular momentum K of a wheel inside, relative to the body, kg m²/s."""
-        return self._core.rotor_momentum
+        return self._core.number("rotor_momentum")
 
     @property
     def e4(self) -> float | None:

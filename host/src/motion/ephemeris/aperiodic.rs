@@ -1,7 +1,7 @@
 //! Aperiodic motion as an ephemeris: its closed form takes the place of a table.
 
-use super::MotionSource;
 use super::events::{Condition, EventQuery, MotionEvent};
+use super::source::MotionSource;
 use crate::motion::sample::{MotionSample, Quantity, unwrapped};
 use std::f64::consts::TAU;
 use toytop::ErrorBound;

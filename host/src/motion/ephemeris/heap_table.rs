@@ -1,7 +1,7 @@
 //! Table of the core on the heap.
 
-use super::MotionSource;
 use super::events::{Condition, EventQuery, MotionEvent};
+use super::source::MotionSource;
 use crate::Failure;
 use crate::motion::sample::{MotionSample, Quantity, unwrapped};
 use std::f64::consts::TAU;

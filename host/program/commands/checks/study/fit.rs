@@ -9,7 +9,7 @@ use std::f64::consts::PI;
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{Fit, Fitted};
 use toytop_host::Failure;
-use toytop_host::fit::sensors::{Body, Sensors};
+use toytop_host::fit::sensors::{Sensors, centre_of_mass};
 use toytop_host::fit::simulated::{Recording, simulate_measurements};
 use toytop_host::input::random::Random;
 use toytop_host::motion::errors::rotation_between;
@@ -92,7 +92,8 @@ pub fn run(study: &StudyOptions) -> Result<Summary<Row>, Failure> {
 fn trial(random: &mut Random, set: usize, seed: u64) -> Result<Accepted, String> {
     let (motion, state, height) =
         std::iter::repeat_with(|| draw(random)).flatten().next().ok_or("no launch")?;
-    let sensors = sensors(set, Body::new(motion.top(), height)).map_err(|failure| failure.to_string())?;
+    let sensors =
+        sensors(set, centre_of_mass(motion.top(), height)).map_err(|failure| failure.to_string())?;
     let recording = Recording { sample_rate: SAMPLE_RATE, count: SAMPLES, seed };
     let samples = simulate_measurements(&motion, &sensors, &recording).ok_or("not simulated")?;
     let listed = sensors.as_sensors();
@@ -154,10 +155,10 @@ fn draw(random: &mut Random) -> Option<(Motion, State, f64)> {
 }
 
 /// Sensors of a set. A telephone that is held in a top is at its centre of mass, not at the tip.
-fn sensors(set: usize, body: Body) -> Result<Sensors, Failure> {
+fn sensors(set: usize, com: [f64; 3]) -> Result<Sensors, Failure> {
     let mut sensors = match set {
-        2 => Sensors::parse("camera", "[orientation]\nnoise = 0.002\nevery = 2\n", body)?,
-        _ => Sensors::telephone(body),
+        2 => Sensors::parse("camera", "[orientation]\nnoise = 0.002\nevery = 2\n", com)?,
+        _ => Sensors::telephone(com),
     };
     if set == 1 {
         sensors.setups.truncate(2);
