@@ -17,7 +17,7 @@ use crate::motion::sample::{MotionSample, Quantity};
 use aperiodic::ClosedFormSource;
 use fixed::types::{I2F14, I2F30};
 use source::MotionSource;
-use toytop::{ErrorBound, Motion, ParameterError, Pose, Regime, TableScalar, TableSettings, Tick};
+use toytop::{ErrorBound, ParameterError, Pose, Regime, TableScalar, TableSettings, Tick};
 use toytop_model::timed_motion::{MAX_TICKS, TimedMotion};
 
 /// Ephemeris of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
@@ -32,6 +32,8 @@ pub struct MotionEphemeris {
     pub error_bound: ErrorBound,
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     pub rate_error_bound: ErrorBound,
+    /// Motion, with its period.
+    pub motion: TimedMotion,
     source: Box<dyn MotionSource>,
 }
 
@@ -62,7 +64,9 @@ impl MotionEphemeris {
         if motion.regime() == Regime::Aperiodic {
             let form = ClosedFormSource::new(motion).filter(|_| scalar == Scalar::F64);
             let reason = "an aperiodic motion has a closed form in f64, and no table";
-            return form.map(Self::from_closed_form).ok_or_else(|| Failure::Method(reason.to_owned()));
+            return form
+                .map(|form| Self::from_closed_form(motion, form))
+                .ok_or_else(|| Failure::Method(reason.to_owned()));
         }
         let tick = tick.unwrap_or_else(|| motion.tick());
         let settings = TableSettings { truncation, ..TableSettings::new(tick) };
@@ -74,7 +78,7 @@ impl MotionEphemeris {
         }
     }
 
-    fn from_table<R: TableScalar>(motion: &Motion, settings: &TableSettings) -> Result<Self, Failure>
+    fn from_table<R: TableScalar>(motion: &TimedMotion, settings: &TableSettings) -> Result<Self, Failure>
     where
         HeapTable<R>: MotionSource,
     {
@@ -87,17 +91,19 @@ impl MotionEphemeris {
             ticks_per_time,
             error_bound: table.error_bound(),
             rate_error_bound: table.rate_error_bound(),
+            motion: *motion,
             source: Box::new(source),
         })
     }
 
-    fn from_closed_form(form: ClosedFormSource) -> Self {
+    fn from_closed_form(motion: &TimedMotion, form: ClosedFormSource) -> Self {
         Self {
             segments: 0,
             terms: 0,
             ticks_per_time: form.motion.ticks_per_time,
             error_bound: form.motion.error_bound(),
             rate_error_bound: form.rate_error_bound(),
+            motion: *motion,
             source: Box::new(form),
         }
     }
@@ -122,6 +128,19 @@ impl MotionEphemeris {
         self.source.sample(t, None, Some(Quantity::Pose)).pose
     }
 
+    /// Events of a query, in the order of their times.
+    ///
+    /// # Errors
+    /// `tilt` or `radius`: the motion's top has no such event.
+    pub fn events(&self, query: &EventQuery) -> Result<Vec<MotionEvent>, ParameterError> {
+        let conditions = query.kind.conditions(&self.motion)?.into_iter();
+        let mut events: Vec<_> =
+            conditions.flat_map(|condition| self.source.events(condition, query)).collect();
+        events.sort_by(|a, b| a.sample.t.total_cmp(&b.sample.t));
+        events.truncate(query.count);
+        Ok(events)
+    }
+
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
         let only = Some(column.quantity());
@@ -130,27 +149,10 @@ impl MotionEphemeris {
     }
 }
 
-/// Events of a query, in the order of their times.
-///
-/// # Errors
-/// `tilt` or `radius`: the motion's top has no such event.
-pub fn search(
-    ephemeris: &MotionEphemeris,
-    motion: &Motion,
-    query: &EventQuery,
-) -> Result<Vec<MotionEvent>, ParameterError> {
-    let conditions = query.kind.conditions(motion)?.into_iter();
-    let mut events: Vec<_> =
-        conditions.flat_map(|condition| ephemeris.source.events(condition, query)).collect();
-    events.sort_by(|a, b| a.sample.t.total_cmp(&b.sample.t));
-    events.truncate(query.count);
-    Ok(events)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toytop::{InitialAngles, Signs, Top, TopParameters};
+    use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
 
     fn motion(a: f64, e: [f64; 3]) -> TimedMotion {
         let top = Top::sliding(&TopParameters {

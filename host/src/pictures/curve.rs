@@ -56,11 +56,12 @@ impl TipCurve {
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
     pub fn new(motion: &TimedMotion) -> Result<Self, Failure> {
-        Ok(Self::over(motion, &MotionSpan::new(motion, None, MAX_CYCLES)?))
+        Ok(Self::over(&MotionSpan::new(motion, None, MAX_CYCLES)?))
     }
 
     /// Curve over a span of time.
-    pub fn over(motion: &Motion, span: &MotionSpan) -> Self {
+    pub fn over(span: &MotionSpan) -> Self {
+        let motion = &span.ephemeris.motion;
         let mut limits = TiltLimit::all(motion);
         // between e₁ and e₂ the axis is horizontal, which is the largest circle
         if let [low, high] = &limits[..]

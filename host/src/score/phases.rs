@@ -11,7 +11,6 @@
 //! offset + slope. The distance that remains is no phase error: the trajectory is on another torus, with other values of l, n and h.
 
 use super::trajectory::TrajectoryRow;
-use crate::motion::TimedMotion;
 use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::errors::rotation_between;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
@@ -38,11 +37,8 @@ const MIN_ROWS: usize = 8;
 /// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
 ///
 /// The fit goes through all periods, so that it recognises errors of more than half a turn.
-pub fn phase_errors(
-    motion: &TimedMotion,
-    ephemeris: &MotionEphemeris,
-    rows: &[TrajectoryRow],
-) -> PhaseErrors {
+pub fn phase_errors(ephemeris: &MotionEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
+    let motion = &ephemeris.motion;
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],
         Regime::Aperiodic => return PhaseErrors::default(),

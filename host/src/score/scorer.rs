@@ -13,8 +13,7 @@ use std::f64::consts::PI;
 use toytop::Orientation;
 
 /// Exact motion that trajectories are compared with.
-pub struct Scorer<'a> {
-    motion: &'a TimedMotion,
+pub struct Scorer {
     ephemeris: MotionEphemeris,
     /// Command that prints the state from which a run has to start.
     start: String,
@@ -55,14 +54,14 @@ pub struct Score {
 /// Error of the first row above which a warning is given, rad or relative.
 const SUSPECT_DISTANCE: f64 = 0.01;
 
-impl<'a> Scorer<'a> {
+impl Scorer {
     /// Exact motion, by its ephemeris in `f64`; `start` is the command that prints the state from which a run has to start.
     ///
     /// # Errors
     /// [`Failure::Method`]: no ephemeris is large enough.
-    pub fn new(motion: &'a TimedMotion, start: &str) -> Result<Self, Failure> {
+    pub fn new(motion: &TimedMotion, start: &str) -> Result<Self, Failure> {
         let ephemeris = MotionEphemeris::new(motion, Scalar::F64)?;
-        Ok(Self { motion, ephemeris, start: start.to_owned() })
+        Ok(Self { ephemeris, start: start.to_owned() })
     }
 
     /// Errors of a trajectory.
@@ -82,7 +81,7 @@ impl<'a> Scorer<'a> {
             final_error_rad: errors.last().map_or(0.0, |[error, _]| *error),
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
             max_tip_error: rows.iter().filter_map(|row| self.tip_error(row)).reduce(greater_or_infinite),
-            phases: phases::phase_errors(self.motion, &self.ephemeris, rows),
+            phases: phases::phase_errors(&self.ephemeris, rows),
             drift_h,
             drift_l,
             drift_n,
@@ -107,7 +106,7 @@ impl<'a> Scorer<'a> {
     /// Greatest drifts of l, n and h.
     fn drifts(&self, rows: &[TrajectoryRow]) -> Option<[f64; 3]> {
         rows.iter().try_fold([0.0; 3], |most, row| {
-            let drift = drift(self.motion, &row.orientation, row.omega?);
+            let drift = drift(&self.ephemeris.motion, &row.orientation, row.omega?);
             Some(from_fn(|i| greater_or_infinite(most[i], drift[i])))
         })
     }
@@ -117,9 +116,10 @@ impl<'a> Scorer<'a> {
         let exact = self.ephemeris.at(first.t);
         let [error, _] = self.errors(first);
         let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
-        let speed = distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / self.motion.characteristic_time());
+        let speed =
+            distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / self.ephemeris.motion.characteristic_time());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
-        let tip_error = self.tip_error(first).unwrap_or(0.0) / self.motion.top().tip_scale();
+        let tip_error = self.tip_error(first).unwrap_or(0.0) / self.ephemeris.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
         let reason = if error >= SUSPECT_DISTANCE && inverse < SUSPECT_DISTANCE {
             let transposed = "are the columns from fixed to body coordinates?";

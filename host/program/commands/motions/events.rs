@@ -13,7 +13,7 @@ use toytop_host::Failure;
 use toytop_host::input::require_within;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEphemeris, MotionEvent, search};
+use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEphemeris, MotionEvent};
 use toytop_host::motion::sample::MotionSample;
 use toytop_host::output::{self, Format, error_text, or_dash, significant};
 
@@ -97,7 +97,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
             Failure::Input(format!("--kind: {text}: must be above 0 and below {below}"))
         };
         let query = EventQuery { kind: *kind, from, upward: *upward, count };
-        let matching = search(&ephemeris, motion, &query).map_err(refused)?;
+        let matching = ephemeris.events(&query).map_err(refused)?;
         events.extend(matching.into_iter().map(|event| (argument, event)));
     }
     events.sort_by(|(_, a), (_, b)| a.sample.t.total_cmp(&b.sample.t));

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use toytop::{Phase, Support, Top};
 use toytop_host::motion::{
     Scalar,
-    ephemeris::{EventKind, EventQuery, MotionEvent, search},
+    ephemeris::{EventKind, EventQuery, MotionEvent},
     sample::MotionSample,
 };
 
@@ -55,11 +55,11 @@ impl MotionCore {
         upward: Option<bool>,
     ) -> PyResult<Bound<'py, Array>> {
         let kind = self::kind(kind, value, &self.top.top)?;
-        let (motion, table) = (self.motion, py.detach(|| self.table(Scalar::F64))?);
+        let table = py.detach(|| self.table(Scalar::F64))?;
         require_within(table.furthest_time(), &[start])
             .map_err(|_| value_error("start", "must be within 2^62 ticks"))?;
         let query = EventQuery { kind, from: start, upward, count };
-        let events = interrupt::interruptible(py, move || search(&table, &motion, &query))?;
+        let events = interrupt::interruptible(py, move || table.events(&query))?;
         let events = events.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
         let row = |event: &MotionEvent| {
             let error = event.time_error.unwrap_or(f64::NAN);

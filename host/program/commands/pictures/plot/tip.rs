@@ -22,7 +22,7 @@ const BELOW: f64 = 58.0;
 
 /// Draws the curve over a span of time.
 pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
-    let mut curve = TipCurve::over(&scenario.motion, span);
+    let mut curve = TipCurve::over(span);
     let s = scenario.motion.top().tip_scale();
     // in mm, or in units of s where the scenario names no units
     let (name, unit, scale) = match (scenario.motion.top().support(), scenario.units) {

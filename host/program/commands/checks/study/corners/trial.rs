@@ -6,7 +6,7 @@ use toytop_host::input::random::Random;
 use toytop_host::input::scenario::MotionInput;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::TimedMotion;
-use toytop_host::motion::ephemeris::{EphemerisSettings, EventKind, EventQuery, MotionEphemeris, search};
+use toytop_host::motion::ephemeris::{EphemerisSettings, EventKind, EventQuery, MotionEphemeris};
 use toytop_host::motion::errors::{greater_or_infinite, rate_error};
 use toytop_host::reference::float640::{Float640, from_f64, from_i64, to_i64};
 use toytop_host::reference::quadrature::Quadrature;
@@ -69,10 +69,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let times = [(); NORM_TIMES].map(|()| random.between(0.0, period));
     let mut errors = ephemerides.each_ref().map(|ephemeris| {
         let ephemeris = ephemeris.as_ref()?;
-        Some(TableErrors {
-            norm_over_bound: norm_over_bound(ephemeris, &motion, &times),
-            ..TableErrors::default()
-        })
+        Some(TableErrors { norm_over_bound: norm_over_bound(ephemeris, &times), ..TableErrors::default() })
     });
     if with_truth {
         let truth = Quadrature::new(&input);
@@ -104,10 +101,11 @@ fn ratio(error: f64, bound: f64) -> f64 {
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, over the bound.
-fn norm_over_bound(ephemeris: &MotionEphemeris, motion: &TimedMotion, times: &[f64]) -> f64 {
+fn norm_over_bound(ephemeris: &MotionEphemeris, times: &[f64]) -> f64 {
+    let motion = &ephemeris.motion;
     let e = motion.branch_points();
     let query = EventQuery { kind: EventKind::Turning, from: 0.0, upward: None, count: 2 };
-    let turning = search(ephemeris, motion, &query).unwrap_or_default();
+    let turning = ephemeris.events(&query).unwrap_or_default();
     let turning = turning.into_iter().map(|event| (event.sample.t, if event.upward { e.e2 } else { e.e1 }));
     let turning = turning.filter(|_| motion.regime() == Regime::Nutating);
     let norms = times.iter().map(|&t| (t, ephemeris.pose(t).orientation.norm_squared() - 1.0));
