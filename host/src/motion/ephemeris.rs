@@ -17,7 +17,7 @@ use crate::motion::sample::{MotionSample, Quantity};
 use aperiodic::ClosedFormSource;
 use fixed::types::{I2F14, I2F30};
 use source::MotionSource;
-use toytop::{ErrorBound, ParameterError, Pose, Regime, TableScalar, TableSettings, Tick};
+use toytop::{ErrorBound, ParameterError, Pose, TableScalar, TableSettings};
 use toytop_model::timed_motion::{MAX_TICKS, TimedMotion};
 
 /// Ephemeris of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
@@ -37,44 +37,34 @@ pub struct MotionEphemeris {
     source: Box<dyn MotionSource>,
 }
 
-/// Settings of an ephemeris. A scalar stands for its default settings.
-#[derive(Clone, Copy)]
-pub struct EphemerisSettings {
-    /// Scalar type of the core.
-    pub scalar: Scalar,
-    /// Length of a tick; by default [`TimedMotion::tick`].
-    pub tick: Option<Tick>,
-    /// Greatest truncation error of a table, rad; by default [`TableScalar::TRUNCATION`].
-    pub truncation: Option<f64>,
-}
-
-impl From<Scalar> for EphemerisSettings {
-    fn from(scalar: Scalar) -> Self {
-        Self { scalar, tick: None, truncation: None }
-    }
-}
-
 impl MotionEphemeris {
-    /// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, which has no truncation error.
+    /// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, in ticks of [`TimedMotion::tick`].
     ///
     /// # Errors
     /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-    pub fn new(motion: &TimedMotion, settings: impl Into<EphemerisSettings>) -> Result<Self, Failure> {
-        let EphemerisSettings { scalar, tick, truncation } = settings.into();
-        if motion.regime() == Regime::Aperiodic {
-            let form = ClosedFormSource::new(motion).filter(|_| scalar == Scalar::F64);
-            let reason = "an aperiodic motion has a closed form in f64, and no table";
-            return form
-                .map(|form| Self::from_closed_form(motion, form))
-                .ok_or_else(|| Failure::Method(reason.to_owned()));
-        }
-        let tick = tick.unwrap_or_else(|| motion.tick());
-        let settings = TableSettings { truncation, ..TableSettings::new(tick) };
-        match scalar {
-            Scalar::F64 => Self::from_table::<f64>(motion, &settings),
-            Scalar::F32 => Self::from_table::<f32>(motion, &settings),
-            Scalar::Q31 => Self::from_table::<I2F30>(motion, &settings),
-            Scalar::Q15 => Self::from_table::<I2F14>(motion, &settings),
+    pub fn new(motion: &TimedMotion, scalar: Scalar) -> Result<Self, Failure> {
+        Self::with_settings(motion, scalar, &TableSettings::new(motion.tick()))
+    }
+
+    /// Ephemeris as [`new`](Self::new) makes it, with other settings of its table, which a closed form does not have.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_settings(
+        motion: &TimedMotion,
+        scalar: Scalar,
+        settings: &TableSettings,
+    ) -> Result<Self, Failure> {
+        match (ClosedFormSource::new(motion), scalar) {
+            (Some(form), Scalar::F64) => Ok(Self::from_closed_form(motion, form)),
+            (Some(_), _) => {
+                let reason = "an aperiodic motion has a closed form in f64, and no table";
+                Err(Failure::Method(reason.to_owned()))
+            }
+            (None, Scalar::F64) => Self::from_table::<f64>(motion, settings),
+            (None, Scalar::F32) => Self::from_table::<f32>(motion, settings),
+            (None, Scalar::Q31) => Self::from_table::<I2F30>(motion, settings),
+            (None, Scalar::Q15) => Self::from_table::<I2F14>(motion, settings),
         }
     }
 

@@ -11,13 +11,13 @@ use crate::terminal::stdout::{self, Report};
 use clap::{ArgGroup, Args};
 use row_format::RowFormat;
 use std::path::PathBuf;
-use toytop::{Regime, Tick};
+use toytop::{Regime, TableSettings, Tick};
 use toytop_closed_forms::ClosedForm;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
+use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::full_solver;
 use toytop_host::motion::sample::{MotionSample, body_rates};
 use toytop_host::motion::stepper::{self, steps_needed};
@@ -164,16 +164,14 @@ fn ephemeris_sampler(
         Scalar::F64 => failure.with_context(&scenario.name),
         _ => failure.with_context(&format!("{}: --scalar: {}", scenario.name, scalar.name())),
     };
-    let tick = match times.ticks[..] {
-        [] => None,
-        _ => {
-            Some(Tick::ratio(rate[0], rate[1]).map_err(|error| Failure::Input(format!("--hertz: {error}")))?)
-        }
-    };
-    let ephemeris =
-        MotionEphemeris::new(motion, EphemerisSettings { tick, ..scalar.into() }).map_err(named)?;
+    let (mut settings, in_ticks) = (TableSettings::new(motion.tick()), !times.ticks.is_empty());
+    if in_ticks {
+        let tick = Tick::ratio(rate[0], rate[1]);
+        settings.tick = tick.map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
+    }
+    let ephemeris = MotionEphemeris::with_settings(motion, scalar, &settings).map_err(named)?;
     // every tick of 64 bits is in reach of a table
-    if tick.is_some() && motion.regime() != Regime::Aperiodic {
+    if in_ticks && motion.regime() != Regime::Aperiodic {
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
             MotionSample { t, ..ephemeris.at_tick(tick) }

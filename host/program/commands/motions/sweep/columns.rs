@@ -4,8 +4,9 @@ use clap::ValueEnum;
 use serde_json::Value;
 use std::cell::OnceCell;
 use std::str::FromStr;
+use toytop::TableSettings;
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::{EphemerisSettings, MotionEphemeris};
+use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::greater_or_infinite;
 use toytop_host::motion::{Scalar, constant_as_json, spread_times};
 use toytop_model::timed_motion::{CONSTANTS, Constant, TimedMotion};
@@ -106,8 +107,9 @@ impl RowMotion {
     fn f64_ephemeris(&self) -> Option<&MotionEphemeris> {
         /// Truncation error, rad.
         const TRUNCATION: f64 = 1e-13;
-        let settings = EphemerisSettings { truncation: Some(TRUNCATION), ..Scalar::F64.into() };
-        let ephemeris = || MotionEphemeris::new(&self.motion, settings).ok();
+        let tick = self.motion.tick();
+        let settings = TableSettings { truncation: Some(TRUNCATION), ..TableSettings::new(tick) };
+        let ephemeris = || MotionEphemeris::with_settings(&self.motion, Scalar::F64, &settings).ok();
         self.f64_ephemeris.get_or_init(ephemeris).as_ref()
     }
 

@@ -1,12 +1,12 @@
 //! Trial of one launch: its ephemeris in each scalar, compared with the truth and with its own bounds.
 
 use super::random_launch;
-use toytop::{ParameterError, Regime};
+use toytop::{ParameterError, Regime, TableSettings};
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::MotionInput;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::TimedMotion;
-use toytop_host::motion::ephemeris::{EphemerisSettings, EventKind, EventQuery, MotionEphemeris};
+use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEphemeris};
 use toytop_host::motion::errors::{greater_or_infinite, rate_error};
 use toytop_host::reference::float640::{Float640, from_f64, from_i64, to_i64};
 use toytop_host::reference::quadrature::Quadrature;
@@ -156,8 +156,9 @@ fn most_different_rates(
     motion: &TimedMotion,
     period: f64,
 ) -> Vec<i64> {
-    let settings = EphemerisSettings { truncation: Some(FINE_TRUNCATION), ..Scalar::F64.into() };
-    let Ok(finer) = MotionEphemeris::new(motion, settings) else { return Vec::new() };
+    let settings = TableSettings { truncation: Some(FINE_TRUNCATION), ..TableSettings::new(motion.tick()) };
+    let finer = MotionEphemeris::with_settings(motion, Scalar::F64, &settings);
+    let Ok(finer) = finer else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / RATE_TICKS as f64) as i64;
     let fine: Vec<_> = (0..RATE_TICKS).map(tick).map(|tick| (tick, finer.at_tick(tick).rates)).collect();
     let most = |ephemeris: &MotionEphemeris| {
