@@ -63,5 +63,5 @@ fn curve(name: String, top: [f64; 4], e: [f64; 3], signs: Signs) -> Scenario {
     };
     let launch = Launch::BranchPoints { e, signs, phases: InitialAngles::default() };
     let input = MotionInput { support: Support::Sliding, top: parameters, launch };
-    Scenario { name, motion: input.motion().expect("a valid motion"), input, units: Units::None }
+    Scenario { name, motion: input.motion().expect("a valid motion"), input, units: Units::Unnamed }
 }

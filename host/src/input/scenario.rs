@@ -25,7 +25,7 @@ pub enum Units {
     /// SI: kg, m, s.
     Si,
     /// Any consistent units, such as the paper's, with p = s = g = 1. They have no names.
-    None,
+    Unnamed,
 }
 
 impl Units {
@@ -33,7 +33,7 @@ impl Units {
     pub fn name(self, si: &'static str) -> &'static str {
         match self {
             Self::Si => si,
-            Self::None => "",
+            Self::Unnamed => "",
         }
     }
 }
@@ -125,7 +125,7 @@ impl ScenarioFile {
         }
         let units = match self.table.get("units").map(Value::as_str) {
             None | Some(Some("SI")) => Units::Si,
-            Some(Some("none")) => Units::None,
+            Some(Some("none")) => Units::Unnamed,
             _ => return Err(refuse("units: must be one of \"SI\", \"none\"".to_owned())),
         };
         let (top, parameters) = self.top()?;

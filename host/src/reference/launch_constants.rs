@@ -16,7 +16,8 @@ use toytop::{InitialAngles, Orientation, Sign, Signs, Support};
 /// Constants of a motion, and its state at the launch.
 pub struct LaunchConstants {
     pub constants: NutationConstants,
-    pub half_tau: Float640,
+    /// Half the difference of the spin and of n/A.
+    pub half_spin_difference: Float640,
     pub half_phase: HalfPhase,
     /// Directions α/|α| and β/|β|; a parameter that is 0 has the direction of its derivative.
     pub directions: [Complex640; 2],
@@ -42,7 +43,7 @@ impl LaunchConstants {
 
     /// Whether u is constant: e₁ = e₂, or an upright top at rest with e₃ = 1.
     pub fn is_steady(&self) -> bool {
-        let [[at_e1, at_e2], _, [_, e3_minus_e2]] = &self.constants.at_turning_points;
+        let [[at_e1, at_e2], _, [_, e3_minus_e2]] = &self.constants.factors_at_ends;
         at_e1 == at_e2 || (is_zero(e3_minus_e2) && is_zero(&self.half_phase[0]))
     }
 
@@ -65,11 +66,11 @@ impl LaunchConstants {
         let across = w1.sqr() + w2.sqr() + w3.sqr() - spin.sqr();
         let momentum_squared = a.sqr() * &across + n.sqr();
         let weight = p * g * 2;
-        let ([e1, e2], below_e3, field) = if !is_zero(&weight) {
+        let ([e1, e2], e3_minus_u, field) = if !is_zero(&weight) {
             let energy = &u + (a * across + p * s * udot.sqr()) / &weight;
             let [e1, e2, e3] = roots_of_cubic(&energy, &(from_i64(1) / (a * weight)), &l, &n);
-            let below_e3 = [&e3 - &e1, e3 - &e2].map(root_difference);
-            ([e1, e2], below_e3, [s.clone(), g.clone(), a / p])
+            let e3_minus_u = [&e3 - &e1, e3 - &e2].map(root_difference);
+            ([e1, e2], e3_minus_u, [s.clone(), g.clone(), a / p])
         } else {
             // A² u'² = |m|² (u - e₁)(e₂ - u): the integrands with D = 1, e₃ - u = 1 and g = |m|²/2A²
             let (middle, half) = if is_zero(&momentum_squared) {
@@ -81,9 +82,9 @@ impl LaunchConstants {
             let field = [from_i64(0), momentum_squared / (a.sqr() * 2), from_i64(1)];
             ([&middle - &half, middle + half], [from_i64(1), from_i64(1)], field)
         };
-        let half_tau = (spin - &n / a) / from_i64(2);
-        let constants = constants(a, [&e1, &e2], below_e3, field, [&l + &n, l - n]);
-        let [at_e1, at_e2] = &constants.at_turning_points[0];
+        let half_spin_difference = (spin - &n / a) / from_i64(2);
+        let constants = constants(a, [&e1, &e2], e3_minus_u, field, [&l + &n, l - n]);
+        let [at_e1, at_e2] = &constants.factors_at_ends[0];
         let half_phase = if at_e1 == at_e2 {
             [from_i64(1), from_i64(0)]
         } else {
@@ -91,7 +92,7 @@ impl LaunchConstants {
             [cosine, if udot < Float640::ZERO { -sine } else { sine }]
         };
         let directions = directions(&alpha, &beta, [&w1, &w2]);
-        Self { constants, half_tau, half_phase, directions }
+        Self { constants, half_spin_difference, half_phase, directions }
     }
 
     fn from_branch_points(
@@ -109,7 +110,7 @@ impl LaunchConstants {
         let l_minus_n = root_of(signs.l_minus_n, [-e1 + 1, -e2 + 1, e3 - 1]);
         let n = (&l_plus_n - &l_minus_n) / from_i64(2);
         let spin = if is_zero(c) { from_i64(0) } else { (&n - k) / c };
-        let half_tau = (spin - n / a) / from_i64(2);
+        let half_spin_difference = (spin - n / a) / from_i64(2);
         let half_phase = if phases.theta.abs() == PI {
             // the f64 nearest to π stands for π
             [from_i64(0), from_f64(phases.theta.signum())]
@@ -117,9 +118,9 @@ impl LaunchConstants {
             cis(&from_f64(0.5 * phases.theta))
         };
         let directions = [phases.arg_alpha, phases.arg_beta].map(|angle| cis(&from_f64(angle)));
-        let (below_e3, field) = ([e3 - e1, e3 - e2], [s.clone(), g.clone(), a / p]);
-        let constants = constants(a, [e1, e2], below_e3, field, [l_plus_n, l_minus_n]);
-        Self { constants, half_tau, half_phase, directions }
+        let (e3_minus_u, field) = ([e3 - e1, e3 - e2], [s.clone(), g.clone(), a / p]);
+        let constants = constants(a, [e1, e2], e3_minus_u, field, [l_plus_n, l_minus_n]);
+        Self { constants, half_spin_difference, half_phase, directions }
     }
 }
 
@@ -127,7 +128,7 @@ impl LaunchConstants {
 fn constants(
     a: &Float640,
     [e1, e2]: [&Float640; 2],
-    below_e3: [Float640; 2],
+    e3_minus_u: [Float640; 2],
     [s, g, a_over_p]: [Float640; 3],
     [l_plus_n, l_minus_n]: [Float640; 2],
 ) -> NutationConstants {
@@ -136,7 +137,7 @@ fn constants(
     let momentum_rates = [momentum(l_plus_n, &one_plus_e1), momentum(l_minus_n, &one_minus_e2)];
     let above = [one_plus_e1.clone(), one_plus_e1 + &swing];
     let below = [&one_minus_e2 + swing, one_minus_e2];
-    NutationConstants { s, g, a_over_p, at_turning_points: [above, below, below_e3], momentum_rates }
+    NutationConstants { s, g, a_over_p, factors_at_ends: [above, below, e3_minus_u], momentum_rates }
 }
 
 /// Difference of two roots; 0 where it is below the error of a double root, which is known to half of the digits.
@@ -195,7 +196,7 @@ mod tests {
         };
         let input = MotionInput { support: Support::Sliding, top: ones, launch };
         let LaunchConstants { constants, half_phase, .. } = LaunchConstants::new(&input);
-        let [[one_plus_e1, one_plus_e2], [_, one_minus_e2], _] = &constants.at_turning_points;
+        let [[one_plus_e1, one_plus_e2], [_, one_minus_e2], _] = &constants.factors_at_ends;
         assert!(to_f64(&(one_plus_e2 + one_minus_e2 - 2)).abs() < 1e-55);
         let swing = one_plus_e2 - one_plus_e1;
         assert!(to_f64(&(norm_squared(&half_phase) / &swing - 1)).abs() < 1e-55);

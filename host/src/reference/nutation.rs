@@ -33,8 +33,8 @@ pub struct NutationConstants {
     pub s: Float640,
     pub g: Float640,
     pub a_over_p: Float640,
-    /// Linear factors 1 + u, 1 - u and e₃ - u, each at u = e₁ and at u = e₂. Without torque e₃ - u stands for 1.
-    pub at_turning_points: [[Float640; 2]; 3],
+    /// Linear factors 1 + u, 1 - u and e₃ - u at the ends of a nutation, each at u = e₁ and at u = e₂. Without torque e₃ - u stands for 1.
+    pub factors_at_ends: [[Float640; 2]; 3],
     /// Rates (l ± n)/(2A).
     pub momentum_rates: [Float640; 2],
 }
@@ -44,7 +44,7 @@ impl NutationConstants {
     pub fn linear_factors(&self, half_phase: &HalfPhase) -> [Float640; 3] {
         let square = norm_squared(half_phase);
         let [lower, upper] = half_phase.each_ref().map(|part| part.sqr() / &square);
-        self.at_turning_points.each_ref().map(|[at_e1, at_e2]| at_e1 * &lower + at_e2 * &upper)
+        self.factors_at_ends.each_ref().map(|[at_e1, at_e2]| at_e1 * &lower + at_e2 * &upper)
     }
 
     /// Rates of arg α and arg β without ±τ/2; 0 for a parameter that passes through 0.
@@ -59,10 +59,10 @@ impl NutationConstants {
     fn rates(&self, from: &HalfPhase, to: &HalfPhase, x: &Float640) -> Integrals {
         let half_phase = between(from, to, x);
         let linear_factors = self.linear_factors(&half_phase);
-        let [one_plus_u, one_minus_u, below_e3] = &linear_factors;
+        let [one_plus_u, one_minus_u, e3_minus_u] = &linear_factors;
         let d = &self.a_over_p + &self.s * one_plus_u * one_minus_u;
         let phase_rate = (&from[0] * &to[1] - &from[1] * &to[0]) / norm_squared(&half_phase);
-        let slowness = square_root(&(d * 2 / (&self.g * below_e3))) * phase_rate;
+        let slowness = square_root(&(d * 2 / (&self.g * e3_minus_u))) * phase_rate;
         let [alpha, beta] = self.turning_rates(&linear_factors).map(|rate| rate * &slowness);
         [slowness, alpha, beta]
     }
@@ -85,7 +85,7 @@ pub struct Nutation {
 impl Nutation {
     /// Nutation of a motion in which u changes.
     pub fn new(constants: &NutationConstants, ratio: f64) -> Self {
-        let [[one_plus_e1, _], [_, one_minus_e2], [_, e3_minus_e2]] = &constants.at_turning_points;
+        let [[one_plus_e1, _], [_, one_minus_e2], [_, e3_minus_e2]] = &constants.factors_at_ends;
         let is_periodic = !is_zero(e3_minus_e2);
         let spread = to_f64(&constants.a_over_p) / to_f64(&constants.s);
         let gaps = [one_plus_e1, one_minus_e2, e3_minus_e2].map(to_f64).into_iter().chain([spread]);

@@ -46,7 +46,8 @@ impl Quadrature {
 
     /// Orientation Φ at a time after the launch, which is taken as exact.
     pub fn at(&self, t: &Float640) -> Orientation640 {
-        let LaunchConstants { constants, half_tau, half_phase: at_launch, directions } = &self.launch;
+        let LaunchConstants { constants, half_spin_difference, half_phase: at_launch, directions } =
+            &self.launch;
         let (half_phase, [_, alpha, beta]) = match &self.nutation {
             None => {
                 let [alpha, beta] = constants.turning_rates(&constants.linear_factors(at_launch));
@@ -59,7 +60,7 @@ impl Quadrature {
         };
         let (signs, signs_at_launch) = (self.signs(&half_phase), self.signs(at_launch));
         let linear_factors = constants.linear_factors(&half_phase);
-        let drift = half_tau * t;
+        let drift = half_spin_difference * t;
         let parameter = |i: usize, angle: Float640| {
             let modulus = square_root(&(linear_factors[i].clone() >> 1)) * (signs[i] * signs_at_launch[i]);
             product(&directions[i], &cis(&angle)).map(|part| part * &modulus)
@@ -73,7 +74,7 @@ impl Quadrature {
             Some(part) if *part < from_i64(0) => -1,
             _ => 1,
         };
-        let [[one_plus_e1, _], [_, one_minus_e2], _] = &self.launch.constants.at_turning_points;
+        let [[one_plus_e1, _], [_, one_minus_e2], _] = &self.launch.constants.factors_at_ends;
         [
             if is_zero(one_plus_e1) { sign([sine, cosine]) } else { 1 },
             if is_zero(one_minus_e2) { sign([cosine, &-sine]) } else { 1 },

@@ -167,7 +167,7 @@ impl<'a> EventRow<'a> {
 fn columns<'a>(units: Units) -> [Column<EventRow<'a>>; 6] {
     let [t, error] = match units {
         Units::Si => ["t, s", "error of t at most, s"],
-        Units::None => ["t", "error of t at most"],
+        Units::Unnamed => ["t", "error of t at most"],
     };
     [
         ("event", |row| row.kind.to_owned()),

@@ -27,7 +27,7 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     // in mm, or in units of s where the scenario names no units
     let (name, unit, scale) = match (scenario.motion.top().support(), scenario.units) {
         (Support::Sliding, Units::Si) => ("tip", ", mm", 1e-3),
-        (Support::Sliding, Units::None) => ("tip", " in units of s", s),
+        (Support::Sliding, Units::Unnamed) => ("tip", " in units of s", s),
         (Support::Fixed | Support::Free, _) => ("axis", " of the axis (length 1)", 1.0),
     };
     curve.points.iter_mut().flatten().for_each(|x| *x /= scale);
