@@ -32,7 +32,11 @@ capacities!(8 16 25 32 48 64 128 256 512 1024 2048 4096);
 pub const SEGMENTS: RangeInclusive<u32> = 8..=4096;
 
 /// Table of the core on the heap, after its set-up.
-pub struct HeapTable<R: TableScalar>(Box<TableMemory<Table<R>>>);
+pub struct HeapTable<R: TableScalar> {
+    memory: Box<TableMemory<Table<R>>>,
+    /// Mean rate of the tip angle, rad/s.
+    tip_rate: f64,
+}
 
 impl<R: TableScalar> HeapTable<R> {
     /// Table of a motion, in the least number of segments that is enough.
@@ -52,7 +56,7 @@ impl<R: TableScalar> HeapTable<R> {
         for capacity in CAPACITIES.iter().filter(is_allowed) {
             let mut memory = memory(*capacity).expect("one of the capacities");
             match memory.set_up(&mut Workspace::new(), motion, *settings, &mut || {}) {
-                Ok(_) => return Ok(Self(memory)),
+                Ok(table) => return Ok(Self { tip_rate: table.mean_tip_angle_rate(), memory }),
                 Err(error) => refusal = Some(error),
             }
         }
@@ -73,7 +77,39 @@ impl<R: TableScalar> HeapTable<R> {
 
     /// Table itself.
     pub fn table(&self) -> &Table<R> {
-        self.0.get().expect("set up")
+        self.memory.get().expect("set up")
+    }
+
+    /// Sample in `f64` at the time t.
+    ///
+    /// * `only`: quantity that is computed; without it, all of them
+    fn sample_at(&self, now: &toytop::Sample<'_, R>, t: f64, only: Option<Quantity>) -> MotionSample {
+        let table = self.table();
+        let needs = |quantity| only.is_none_or(|only| only == quantity);
+        let mut sample = MotionSample { t, ..MotionSample::EMPTY };
+        if needs(Quantity::ErrorBound) {
+            let [rate, _] = table.clock().ticks_per_time;
+            sample.error_bound = Some(table.error_bound().after(t * rate));
+        }
+        if needs(Quantity::Pose) {
+            let Pose { orientation, u, tip } = now.pose();
+            sample.pose =
+                Pose { orientation: orientation.map(R::into), u: u.into(), tip: tip.map(Float::to_f64) };
+        }
+        if needs(Quantity::Omega) {
+            sample.rates.omega = now.omega().map(Float::to_f64);
+        }
+        if needs(Quantity::OmegaBody) {
+            sample.rates.omega_body = now.omega_body().map(Float::to_f64);
+        }
+        if needs(Quantity::Udot) {
+            sample.rates.udot = now.udot().to_f64();
+        }
+        if needs(Quantity::TipAngle) {
+            let near = self.tip_rate * t / TAU;
+            sample.tip_angle = now.tip_angle().map(|angle| unwrapped(angle, near));
+        }
+        sample
     }
 }
 
@@ -83,7 +119,7 @@ where
 {
     fn sample(&self, t: f64, tick: Option<i64>, only: Option<Quantity>) -> MotionSample {
         let table = self.table();
-        sample(table, &tick.map_or_else(|| table.at(t), |n| table.at_tick(n)), t, only)
+        self.sample_at(&tick.map_or_else(|| table.at(t), |n| table.at_tick(n)), t, only)
     }
 
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
@@ -103,7 +139,7 @@ where
             let t = table.time_of(&event);
             if query.includes(t, event.upward) {
                 unwanted = 0;
-                let sample = sample(table, &table.at_event(&event), t, None);
+                let sample = self.sample_at(&table.at_event(&event), t, None);
                 included.push(MotionEvent::new(condition, event.upward, sample));
             } else {
                 unwanted += 1;
@@ -114,40 +150,4 @@ where
         }
         included
     }
-}
-
-/// Sample of a table in `f64` at the time t.
-///
-/// * `only`: quantity that is computed; without it, all of them
-fn sample<R: TableScalar>(
-    table: &Table<R>,
-    now: &toytop::Sample<'_, R>,
-    t: f64,
-    only: Option<Quantity>,
-) -> MotionSample {
-    let needs = |quantity| only.is_none_or(|only| only == quantity);
-    let mut sample = MotionSample { t, ..MotionSample::EMPTY };
-    if needs(Quantity::ErrorBound) {
-        let [rate, _] = table.clock().ticks_per_time;
-        sample.error_bound = Some(table.error_bound().after(t * rate));
-    }
-    if needs(Quantity::Pose) {
-        let Pose { orientation, u, tip } = now.pose();
-        sample.pose =
-            Pose { orientation: orientation.map(R::into), u: u.into(), tip: tip.map(Float::to_f64) };
-    }
-    if needs(Quantity::Omega) {
-        sample.rates.omega = now.omega().map(Float::to_f64);
-    }
-    if needs(Quantity::OmegaBody) {
-        sample.rates.omega_body = now.omega_body().map(Float::to_f64);
-    }
-    if needs(Quantity::Udot) {
-        sample.rates.udot = now.udot().to_f64();
-    }
-    if needs(Quantity::TipAngle) {
-        let near = table.mean_tip_angle_rate() * t / TAU;
-        sample.tip_angle = now.tip_angle().map(|angle| unwrapped(angle, near));
-    }
-    sample
 }
