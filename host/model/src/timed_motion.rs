@@ -37,7 +37,7 @@ const fn word(name: &'static str, value: fn(&TimedMotion) -> &'static str) -> Co
 
 /// Names and functions of all constants that are numbers, with the numbers of the top and of the start.
 pub fn number_constants() -> impl Iterator<Item = (&'static str, fn(&TimedMotion) -> f64)> {
-    CONSTANTS.iter().chain(&MORE_CONSTANTS).filter_map(|constant| match constant.value {
+    CONSTANTS.iter().chain(&TOP_AND_START).filter_map(|constant| match constant.value {
         Value::Number(value) => Some((constant.name, value)),
         Value::Word(_) => None,
     })
@@ -75,8 +75,8 @@ pub static CONSTANTS: [Constant; 28] = [
     number("critical_spin_rpm", "turns/min", |motion| 60.0 * critical_spin(motion)),
 ];
 
-/// Constants that only the page and Python print: numbers of the top and of the motion at t = 0.
-static MORE_CONSTANTS: [Constant; 20] = [
+/// Numbers of the top and of the motion at t = 0.
+static TOP_AND_START: [Constant; 20] = [
     // 0 sliding, 1 fixed, 2 free
     number("support", "", |motion| f64::from(motion.top().support() as u8)),
     number("A", "kg m^2", |motion| motion.top().transverse_inertia()),
@@ -221,7 +221,7 @@ fn critical_spin(motion: &Motion) -> f64 {
 
 /// Natural time T₀ = 2π √((A/p + s)/g) of the top for motions that have no period, s. Without torque it is the time in which
 /// the axis turns once about the angular momentum, and 1 for a body at rest.
-fn natural_time(motion: &TimedMotion) -> f64 {
+pub(crate) fn natural_time(motion: &TimedMotion) -> f64 {
     let top = motion.top();
     if top.is_torque_free() {
         return motion.period_advance().map_or(1.0, |advance| advance.period);
