@@ -4,9 +4,11 @@
 //! line that names file, key and what is allowed.
 
 mod motion;
+mod motion_input;
 mod top;
 
-pub use motion::{Launch, MotionInput, fastest_rate};
+pub use motion::{Launch, fastest_rate};
+pub use motion_input::MotionInput;
 
 use super::section::{self, Key, Section};
 use super::text_file;

@@ -3,12 +3,8 @@
 use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{RADIANS, RATE};
-use toytop::{
-    Complex, InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Support, Top,
-    TopParameters,
-};
-use toytop_model::parameters::{self, release_from_degrees};
-use toytop_model::timed_motion::TimedMotion;
+use toytop::{Complex, InitialAngles, Motion, Orientation, Release, Sign, Signs, State, Top};
+use toytop_model::parameters::release_from_degrees;
 
 const RATE_RANGE: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
@@ -79,32 +75,6 @@ pub enum Launch {
         /// Angular velocity ω in the fixed frame.
         omega: [f64; 3],
     },
-}
-
-/// Numbers of a top and of its launch, taken as exact.
-#[derive(Clone, Copy, Debug)]
-pub struct MotionInput {
-    /// Support of the tip.
-    pub support: Support,
-    /// Numbers of the top.
-    pub top: TopParameters,
-    /// Launch.
-    pub launch: Launch,
-}
-
-impl MotionInput {
-    /// Motion with its period.
-    ///
-    /// # Errors
-    /// The errors of a top, a state and a launch.
-    pub fn motion(&self) -> Result<TimedMotion, ParameterError> {
-        let top = parameters::top(self.support, &self.top)?;
-        let motion = match self.launch {
-            Launch::BranchPoints { e, signs, phases } => Motion::from_branch_points(&top, e, signs, &phases),
-            Launch::State { orientation, omega } => Motion::launch(&top, &State::new(orientation, omega)?),
-        };
-        motion.map(TimedMotion::new)
-    }
 }
 
 impl From<&State> for Launch {
