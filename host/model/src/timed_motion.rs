@@ -87,7 +87,7 @@ static TOP_AND_START: [Constant; 20] = [
     number("K", "kg m^2/s", |motion| motion.top().rotor_momentum()),
     number("sign_l_plus_n", "", |motion| motion.signs().l_plus_n.as_i32().into()),
     number("sign_l_minus_n", "", |motion| motion.signs().l_minus_n.as_i32().into()),
-    number("natural_time", "s", |motion| natural_time(motion)),
+    number("natural_time", "s", natural_time),
     number("tilt", "rad", |motion| axis_at_start(motion)[0]),
     number("azimuth", "rad", |motion| axis_at_start(motion)[1]),
     number("spin", "rad/s", |motion| motion.first_integrals().spin),
