@@ -8,7 +8,7 @@
 //! | [`output`] | CSV and JSON |
 //! | [`input`] | scenario files, built-in motions, random numbers |
 //! | [`parallel`] | threads on all processor cores |
-//! | [`reference`] | the paper's integrals to more than thirty digits |
+//! | [`mod@reference`] | the paper's integrals to more than thirty digits |
 //! | [`motion`] | motion at given times by the core or the full equations, its samples and constants |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
 //! | [`score`] | output of an integrator against the exact motion |
