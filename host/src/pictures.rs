@@ -25,8 +25,6 @@ pub struct MotionSpan {
     pub ends: [f64; 2],
     /// Number of nutation periods, where they determine the last time.
     pub periods: Option<u32>,
-    /// Time in which the axis does the same again, s.
-    cycle: f64,
 }
 
 /// Greatest number of nutation periods or turns in a picture: more would fill its frame.
@@ -44,10 +42,9 @@ impl MotionSpan {
     pub fn new(motion: &TimedMotion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
         let ephemeris = MotionEphemeris::new(motion, Scalar::F64)?;
         require_within(times.into_iter().flatten(), ephemeris.furthest_time(), " s")?;
-        let (regime, cycle) = (motion.regime(), cycle(motion));
-        let longest = most_cycles * cycle;
+        let longest = most_cycles * cycle(motion);
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)
-            && !regime.is_vertical()
+            && !motion.regime().is_vertical()
         {
             let [from, until, longest] =
                 [(from, 17), (until, 17), (longest, 4)].map(|(t, n)| significant(t, n));
@@ -57,7 +54,7 @@ impl MotionSpan {
         let periods = periods(motion).filter(|_| times.is_none());
         let ends =
             times.unwrap_or_else(|| [0.0, display_duration(motion, |t| ephemeris.pose(t).tip.modulus())]);
-        Ok(Self { ephemeris, ends, periods, cycle })
+        Ok(Self { ephemeris, ends, periods })
     }
 
     /// Sample at a time.
@@ -76,7 +73,7 @@ impl MotionSpan {
         const MIN_POINTS: u64 = 1500;
         const POINTS_IN_A_CYCLE: f64 = 64.0;
         let [from, until] = self.ends;
-        let cycles = ((until - from) / self.cycle).ceil().min(MAX_CYCLES);
+        let cycles = ((until - from) / cycle(&self.ephemeris.motion)).ceil().min(MAX_CYCLES);
         self.times(MIN_POINTS.max((POINTS_IN_A_CYCLE * cycles) as u64 + 1))
     }
 

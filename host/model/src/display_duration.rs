@@ -37,11 +37,8 @@ pub fn periods(motion: &TimedMotion) -> Option<u32> {
     const MIN_PERIODS: u32 = 3;
     const MAX_PERIODS: u32 = 24;
     let once_round = 2.0 * PI / Float::abs(motion.phi_per_period());
-    let periods = match once_round > f64::from(4 * MAX_PERIODS) {
-        true => MIN_PERIODS,
-        false => (MIN_PERIODS..MAX_PERIODS)
-            .find(|periods| f64::from(*periods) >= once_round)
-            .unwrap_or(MAX_PERIODS),
-    };
-    (motion.regime() == Regime::Nutating).then_some(periods)
+    let is_slow = once_round > f64::from(4 * MAX_PERIODS);
+    let mut periods = MIN_PERIODS..MAX_PERIODS;
+    let enough = periods.find(|periods| is_slow || f64::from(*periods) >= once_round);
+    (motion.regime() == Regime::Nutating).then_some(enough.unwrap_or(MAX_PERIODS))
 }

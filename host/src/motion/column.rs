@@ -1,7 +1,7 @@
 //! Columns of samples: names, unit and numbers of a quantity.
 
 use super::euler_angles;
-use super::sample::{MotionSample, Quantity};
+use super::sample::MotionSample;
 use toytop::{Complex, Pose, Support};
 
 /// Quantity of a sample, one number or several.
@@ -59,30 +59,28 @@ impl SampleColumn {
     ];
 }
 
-/// Key of JSON, names of the numbers as columns of CSV, their unit in SI, and the quantity that they are computed from.
-type Description = (&'static str, &'static [&'static str], &'static str, Quantity);
+/// Key of JSON, names of the numbers as columns of CSV, and their unit in SI.
+type Description = (&'static str, &'static [&'static str], &'static str);
 
 impl SampleColumn {
     fn description(self) -> Description {
         match self {
-            Self::T => ("t", &["t"], "s", Quantity::Time),
-            Self::U => ("u", &["u"], "", Quantity::Pose),
-            Self::Udot => ("udot", &["udot"], "1/s", Quantity::Udot),
-            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], "", Quantity::Pose),
-            Self::Beta => ("beta", &["beta_re", "beta_im"], "", Quantity::Pose),
-            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], "", Quantity::Pose),
-            Self::Delta => ("delta", &["delta_re", "delta_im"], "", Quantity::Pose),
-            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s", Quantity::Omega),
-            Self::Tip => ("tip", &["tip_x", "tip_y"], "m", Quantity::Pose),
-            Self::TipAngle => ("phi", &["phi"], "rad", Quantity::TipAngle),
-            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], "", Quantity::Pose),
-            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], "", Quantity::Pose),
-            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s", Quantity::OmegaBody),
-            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad", Quantity::Pose),
-            Self::EulerZxz => {
-                ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad", Quantity::Pose)
-            }
-            Self::ErrorBound => ("error_bound", &["error_bound"], "rad", Quantity::ErrorBound),
+            Self::T => ("t", &["t"], "s"),
+            Self::U => ("u", &["u"], ""),
+            Self::Udot => ("udot", &["udot"], "1/s"),
+            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], ""),
+            Self::Beta => ("beta", &["beta_re", "beta_im"], ""),
+            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], ""),
+            Self::Delta => ("delta", &["delta_re", "delta_im"], ""),
+            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s"),
+            Self::Tip => ("tip", &["tip_x", "tip_y"], "m"),
+            Self::TipAngle => ("phi", &["phi"], "rad"),
+            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], ""),
+            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], ""),
+            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s"),
+            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad"),
+            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad"),
+            Self::ErrorBound => ("error_bound", &["error_bound"], "rad"),
         }
     }
 
@@ -125,16 +123,11 @@ impl SampleColumn {
         self.description().1
     }
 
-    /// Quantity of a sample that its numbers are computed from.
-    pub(super) fn quantity(self) -> Quantity {
-        self.description().3
-    }
-
     /// Unit of its numbers in SI; empty where there is none.
     pub fn si_unit(self, support: Support) -> &'static str {
         match self.description() {
-            (_, _, "m", _) if support != Support::Sliding => "",
-            (_, _, unit, _) => unit,
+            (_, _, "m") if support != Support::Sliding => "",
+            (_, _, unit) => unit,
         }
     }
 

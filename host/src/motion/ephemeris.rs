@@ -13,7 +13,7 @@ pub use heap_table::{HeapTable, SEGMENTS};
 use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
-use crate::motion::sample::{MotionSample, Quantity};
+use crate::motion::sample::MotionSample;
 use aperiodic::ClosedFormSource;
 use fixed::types::{I2F14, I2F30};
 use source::MotionSource;
@@ -115,7 +115,7 @@ impl MotionEphemeris {
 
     /// Orientation, u and tip t units of time after t = 0.
     pub fn pose(&self, t: f64) -> Pose<f64, f64> {
-        self.source.sample(t, None, Some(Quantity::Pose)).pose
+        self.source.sample(t, None, Some(SampleColumn::U)).pose
     }
 
     /// Events of a query, in the order of their times.
@@ -133,9 +133,11 @@ impl MotionEphemeris {
 
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
-        let only = Some(column.quantity());
         let rows = rows.chunks_exact_mut(column.names().len());
-        times.iter().zip(rows).for_each(|(t, row)| column.write(&self.source.sample(*t, None, only), row));
+        times
+            .iter()
+            .zip(rows)
+            .for_each(|(t, row)| column.write(&self.source.sample(*t, None, Some(column)), row));
     }
 }
 

@@ -20,25 +20,6 @@ pub struct MotionSample {
     pub error_bound: Option<f64>,
 }
 
-/// Quantity of a sample that a table computes by itself.
-#[derive(Clone, Copy, PartialEq)]
-pub enum Quantity {
-    /// Time.
-    Time,
-    /// Orientation, u and tip.
-    Pose,
-    /// Angular velocity ω.
-    Omega,
-    /// Angular velocity Ω.
-    OmegaBody,
-    /// Rate of u.
-    Udot,
-    /// Tip angle.
-    TipAngle,
-    /// Bound on the error of the orientation.
-    ErrorBound,
-}
-
 impl MotionSample {
     /// Sample without quantities: its numbers are NaN.
     pub(super) const EMPTY: Self = Self {

@@ -14,10 +14,7 @@ const MIN_PRODUCT: f64 = 1e-9;
 pub struct TipAngle {
     /// Ephemeris of the motion; `None` where the axis is vertical at all times, or no table is large enough.
     ephemeris: Option<MotionEphemeris>,
-    /// Scale of the tip's curve, m.
-    scale: f64,
-    /// Period of arg αβ, rad: π if the curve passes through the centre, else 2π.
-    period: f64,
+    motion: TimedMotion,
 }
 
 impl TipAngle {
@@ -25,14 +22,12 @@ impl TipAngle {
     pub fn new(motion: &TimedMotion) -> Self {
         let ephemeris =
             MotionEphemeris::new(motion, Scalar::F64).ok().filter(|_| !motion.regime().is_vertical());
-        let signed = matches!(motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);
-        let scale = motion.top().tip_scale();
-        Self { ephemeris, scale, period: if signed { PI } else { 2.0 * PI } }
+        Self { ephemeris, motion: *motion }
     }
 
     /// Sample at a time, from the orientation and the rates there.
     pub fn sample(&self, t: f64, orientation: Orientation<f64>, rates: Rates) -> MotionSample {
-        let tip = orientation.tip_over_s().scaled(self.scale);
+        let tip = orientation.tip_over_s().scaled(self.motion.top().tip_scale());
         let pose = Pose { orientation, u: orientation.u().clamp(-1.0, 1.0), tip };
         let tip_angle = self.continued(t, orientation.alpha * orientation.beta);
         MotionSample { t, pose, rates, tip_angle, error_bound: None }
@@ -44,7 +39,10 @@ impl TipAngle {
         if product.modulus() < MIN_PRODUCT {
             return Some(guide);
         }
+        // αβ of a curve through the centre changes its sign there
+        let through_centre = matches!(self.motion.tip_class(), TipClass::ThroughOrigin | TipClass::Spiral);
+        let period = if through_centre { PI } else { 2.0 * PI };
         let ahead = product.im.atan2(product.re) - guide;
-        Some(guide + (ahead - self.period * (ahead / self.period).round()))
+        Some(guide + (ahead - period * (ahead / period).round()))
     }
 }

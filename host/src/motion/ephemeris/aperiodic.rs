@@ -2,7 +2,8 @@
 
 use super::events::{Condition, EventQuery, MotionEvent};
 use super::source::MotionSource;
-use crate::motion::sample::{MotionSample, Quantity, unwrapped};
+use crate::motion::column::SampleColumn;
+use crate::motion::sample::{MotionSample, unwrapped};
 use std::f64::consts::TAU;
 use toytop::ErrorBound;
 use toytop_model::aperiodic::AperiodicMotion;
@@ -69,7 +70,7 @@ fn root(mut low: f64, mut high: f64, value: impl Fn(f64) -> f64) -> f64 {
 }
 
 impl MotionSource for ClosedFormSource {
-    fn sample(&self, t: f64, _: Option<i64>, _: Option<Quantity>) -> MotionSample {
+    fn sample(&self, t: f64, _: Option<i64>, _: Option<SampleColumn>) -> MotionSample {
         let (state, tip) = self.motion.at(t);
         let error = self.motion.error_bound().after(t * self.motion.ticks_per_time);
         let sample = MotionSample::from_state(t, &state, tip, Some(self.tip_angle(t)));

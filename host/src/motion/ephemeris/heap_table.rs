@@ -3,7 +3,8 @@
 use super::events::{Condition, EventQuery, MotionEvent};
 use super::source::MotionSource;
 use crate::Failure;
-use crate::motion::sample::{MotionSample, Quantity, unwrapped};
+use crate::motion::column::SampleColumn::{self, ErrorBound, Omega, OmegaBody, T, TipAngle, Udot};
+use crate::motion::sample::{MotionSample, unwrapped};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 use toytop::scalar::Float;
@@ -82,30 +83,31 @@ impl<R: TableScalar> HeapTable<R> {
 
     /// Sample in `f64` at the time t.
     ///
-    /// * `only`: quantity that is computed; without it, all of them
-    fn sample_at(&self, now: &toytop::Sample<'_, R>, t: f64, only: Option<Quantity>) -> MotionSample {
+    /// * `only`: column whose numbers are computed; without it, all quantities
+    fn sample_at(&self, now: &toytop::Sample<'_, R>, t: f64, only: Option<SampleColumn>) -> MotionSample {
         let table = self.table();
-        let needs = |quantity| only.is_none_or(|only| only == quantity);
+        let needs = |column| only.is_none_or(|only| only == column);
         let mut sample = MotionSample { t, ..MotionSample::EMPTY };
-        if needs(Quantity::ErrorBound) {
+        if needs(ErrorBound) {
             let [rate, _] = table.clock().ticks_per_time;
             sample.error_bound = Some(table.error_bound().after(t * rate));
         }
-        if needs(Quantity::Pose) {
+        // all other columns are functions of the pose
+        if !matches!(only, Some(T | Udot | Omega | OmegaBody | TipAngle | ErrorBound)) {
             let Pose { orientation, u, tip } = now.pose();
             sample.pose =
                 Pose { orientation: orientation.map(R::into), u: u.into(), tip: tip.map(Float::to_f64) };
         }
-        if needs(Quantity::Omega) {
+        if needs(Omega) {
             sample.rates.omega = now.omega().map(Float::to_f64);
         }
-        if needs(Quantity::OmegaBody) {
+        if needs(OmegaBody) {
             sample.rates.omega_body = now.omega_body().map(Float::to_f64);
         }
-        if needs(Quantity::Udot) {
+        if needs(Udot) {
             sample.rates.udot = now.udot().to_f64();
         }
-        if needs(Quantity::TipAngle) {
+        if needs(TipAngle) {
             let near = self.tip_rate * t / TAU;
             sample.tip_angle = now.tip_angle().map(|angle| unwrapped(angle, near));
         }
@@ -117,7 +119,7 @@ impl<R: TableScalar> MotionSource for HeapTable<R>
 where
     Self: Send + Sync,
 {
-    fn sample(&self, t: f64, tick: Option<i64>, only: Option<Quantity>) -> MotionSample {
+    fn sample(&self, t: f64, tick: Option<i64>, only: Option<SampleColumn>) -> MotionSample {
         let table = self.table();
         self.sample_at(&tick.map_or_else(|| table.at(t), |n| table.at_tick(n)), t, only)
     }

@@ -1,15 +1,16 @@
 //! Source of samples and events.
 
 use super::events::{Condition, EventQuery, MotionEvent};
-use crate::motion::sample::{MotionSample, Quantity};
+use crate::motion::column::SampleColumn;
+use crate::motion::sample::MotionSample;
 
 /// Table or closed form, from which samples and events are computed.
 pub trait MotionSource: Send + Sync {
     /// Sample at the time t, taken as exact.
     ///
     /// * `tick`: number of the tick at this time, if it is one
-    /// * `only`: quantity that is computed; without it, all of them
-    fn sample(&self, t: f64, tick: Option<i64>, only: Option<Quantity>) -> MotionSample;
+    /// * `only`: column whose numbers are computed; without it, all quantities
+    fn sample(&self, t: f64, tick: Option<i64>, only: Option<SampleColumn>) -> MotionSample;
 
     /// First events at which a condition holds, of those that the query includes.
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
