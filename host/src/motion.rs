@@ -26,9 +26,10 @@ pub mod stepper;
 
 pub mod full_solver;
 
-pub use toytop_model::timed_motion::{TimedMotion, regime, tilts};
+pub use toytop_model::constants::{regime, tilts};
+pub use toytop_model::timed_motion::TimedMotion;
 
-use toytop_model::timed_motion::{Constant, Value};
+use toytop_model::constants::{Constant, Value};
 
 /// Scalar types of the core.
 #[derive(Clone, Copy, PartialEq)]

@@ -4,7 +4,8 @@
 //! |---|---|
 //! | [`parameters`] | supports by name, top and release from the numbers of a scenario |
 //! | [`equations`] | full 3-D equations of motion |
-//! | [`timed_motion`] | constants of a motion by name, and the ticks of its table |
+//! | [`timed_motion`] | motion whose period is integrated once, and the ticks of its table |
+//! | [`constants`] | constants of a motion by name, with their meanings |
 //! | [`aperiodic`] | aperiodic motion, which has no table, by its closed form |
 //! | [`display_duration`] | duration that a picture of a motion shows |
 //!
@@ -13,6 +14,7 @@
 #![no_std]
 
 pub mod aperiodic;
+pub mod constants;
 pub mod display_duration;
 pub mod equations;
 pub mod parameters;

@@ -10,9 +10,10 @@ use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
 use toytop::{Motion, ParameterError, Support};
+use toytop_model::constants::{number_constants, regime, tip_class};
 use toytop_model::display_duration::display_duration;
 use toytop_model::parameters::{self, SUPPORTS, top_parameters};
-use toytop_model::timed_motion::{TimedMotion, number_constants, regime, tip_class};
+use toytop_model::timed_motion::TimedMotion;
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;

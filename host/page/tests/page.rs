@@ -2,8 +2,9 @@
 
 use toytop::scalar::Float;
 use toytop::{Motion, Pose, Release, State, Stepper, Support, TableF64, Top};
+use toytop_model::constants::number_constants;
 use toytop_model::parameters::{self, tilt_from_degrees, top_parameters};
-use toytop_model::timed_motion::{TimedMotion, number_constants};
+use toytop_model::timed_motion::TimedMotion;
 use toytop_page::exports::launch_names;
 use toytop_page::launch;
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};

@@ -8,7 +8,7 @@ use crate::top::TopCore;
 use numpy::PyReadonlyArray2;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use toytop_model::timed_motion::number_constants;
+use toytop_model::constants::number_constants;
 
 /// Motions of tops by rows. A row has the numbers of a release, or a quaternion and the rates of this name. A single top or row counts for all.
 ///

@@ -18,7 +18,7 @@ use toytop_host::motion::{Scalar, TimedMotion};
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
 use toytop_host::reference::quadrature::Quadrature;
-use toytop_model::timed_motion::{number_constants, regime, tip_class};
+use toytop_model::constants::{number_constants, regime, tip_class};
 
 /// Rust side of `toytop.Motion`.
 #[pyclass(module = "toytop._toytop", frozen)]

@@ -6,7 +6,8 @@ use crate::input::builtin::{FIGURES, TOY_TOP};
 use crate::input::scenario::{ScenarioFile, keys_as_json};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use serde_json::json;
+use serde_json::{Value, json};
+use toytop_model::constants::CONSTANTS;
 use toytop_page::TEMPLATE;
 use toytop_page::exports::launch_names;
 use toytop_page::table::PageTable;
@@ -38,6 +39,7 @@ pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
         "name": scenario.name,
         "scenario": start.table,
         "constants": launch_names().collect::<Vec<_>>(),
+        "meanings": CONSTANTS.iter().map(|constant| (constant.name, constant.meaning)).collect::<Value>(),
         "keys": keys_as_json(),
         "figures": FIGURES.map(|(figure, signs, e3s)| json!([figure, signs.l_minus_n.as_i32(), e3s])),
         "toy_top": toy_top().table,

@@ -2,6 +2,10 @@
 
 import { complexText, decimals, short } from "./text.js";
 import { azimuthOf, degrees, perMinute, tiltOf } from "./angles.js";
+import { data } from "./data.js";
+
+/** Definitions of the constants, as `toytop constants --help` prints them. */
+const define = (name) => `${data.meanings[name]}.`;
 
 /** Whether no torque acts; then e₃ is infinite and the angular momentum is constant. */
 export const isTorqueFree = ({ g }) => g === 0;
@@ -93,19 +97,19 @@ export function teachersFacts(constants, { units }) {
     ["tilt", `${decimals(min_tilt_deg, 2)}° … ${decimals(max_tilt_deg, 2)}`, "°", "Angle between the axis and the vertical: the least and the greatest that it takes."],
     ["nutation period", short(period), "s", weightless ? "Time in which the axis goes once round the angular momentum." : "Time from one lowest place of the axis to the next. Nutation is the nodding of the axis."],
     ["nutation frequency", short(1 / period), "Hz", "Number of nods in a second."],
-    ["mean precession", short(degrees(rate)), units === "none" ? "°" : "°/s", "Rate at which the axis goes round the vertical, averaged over a nutation period."],
+    ["mean precession", short(degrees(rate)), units === "none" ? "°" : "°/s", define("mean_precession_deg_per_s")],
     ...(units === "none" ? [] : [["mean precession in rpm", short(perMinute(rate)), "rpm", "Mean precession in revolutions per minute."]]),
-    ["spin", both(spin), units === "none" ? "" : "rpm", "Component of the angular velocity along the axis. It never changes."],
+    ["spin", both(spin), units === "none" ? "" : "rpm", `${define("spin_rpm")} It never changes.`],
     ...(weightless
       ? [["angle to the momentum", decimals(coneAngle(constants), 2), "°", "Angle between the axis and the angular momentum. Without torque it never changes."]]
       : [
-          ["critical spin", Number.isFinite(critical) ? both(critical) : "–", units === "none" ? "" : "rpm", "An upright top sleeps, that is, it stays upright after a small push, if it spins faster than (2√(A p g) − K)/C."],
+          ["critical spin", Number.isFinite(critical) ? both(critical) : "–", units === "none" ? "" : "rpm", define("critical_spin_rpm")],
           ["if upright, it would", n * n > 4 * A * p * g ? "sleep" : "fall", "", "Whether the spin is above the critical spin."],
         ]),
     ...(support !== 0
       ? []
       : [
-          ["least normal force", short(min_normal_force), "weights", "Least force with which the plane pushes the tip up. Where it would be negative, a real top leaves the plane."],
+          ["least normal force", short(min_normal_force), "weights", define("min_normal_force")],
           ["lift-off", lift ? `between ${lift.join(" and ")}` : "nowhere", "", "Tilts at which the plane would have to pull."],
         ]),
   ];
@@ -116,15 +120,15 @@ export function paperFacts(constants) {
   const { e1, e2, e3, e4, l, n, h, A, C, s, p, g, K, support, alpha_turns, beta_turns } = constants;
   const [slides, weight] = [support === 0, !isTorqueFree(constants)];
   return [
-    ["e₁", short(e1, 8), "", "Least u, the cosine of the tilt. The three branch points are the roots of the cubic that governs u."],
-    ["e₂", short(e2, 8), "", "Greatest u."],
-    ...(weight ? [["e₃", short(e3, 8), "", "Third root, above 1, which u never reaches: large for a fast spin."]] : []),
-    ...(slides ? [["e₄", short(e4, 8), "", "√(1 + A/(p s)): measure of the effect of the sliding tip; infinite for a held tip."]] : []),
-    ["l", short(l), "kg m²/s", "Angular momentum about the vertical. It never changes."],
-    ["n", short(n), "kg m²/s", "Angular momentum about the axis of the top. It never changes."],
-    ["h", short(h), "J", weight ? "Energy; potential energy is 0 where the centre of mass is at the height of the tip." : "Energy."],
-    ["α in a period", short(alpha_turns), "turns", "Advance of the argument of the Cayley-Klein parameter α in a nutation period."],
-    ["β in a period", short(beta_turns), "turns", "Advance of the argument of β in a nutation period. The sum of both is the advance of the azimuth of the axis."],
+    ["e₁", short(e1, 8), "", define("e1")],
+    ["e₂", short(e2, 8), "", define("e2")],
+    ...(weight ? [["e₃", short(e3, 8), "", define("e3")]] : []),
+    ...(slides ? [["e₄", short(e4, 8), "", define("e4")]] : []),
+    ["l", short(l), "kg m²/s", `${define("l")} It never changes.`],
+    ["n", short(n), "kg m²/s", `${define("n")} It never changes.`],
+    ["h", short(h), "J", weight ? define("h") : "Energy."],
+    ["α in a period", short(alpha_turns), "turns", define("alpha_turns")],
+    ["β in a period", short(beta_turns), "turns", `${define("beta_turns")} The sum of both is the advance of the azimuth of the axis.`],
     ["A", short(A), "kg m²", support === 1 ? "Transverse moment of inertia about the tip." : "Transverse moment of inertia about the centre of mass."],
     ["C", short(C), "kg m²", "Moment of inertia about the axis of the top."],
     ...(K ? [["K", short(K), "kg m²/s", "Angular momentum of the rotor inside, relative to the body: n = C spin + K."]] : []),

@@ -17,47 +17,47 @@ class Constants:
     def regime(
         self,
     ) -> Literal["nutating", "regular_precession", "sleeping_stable", "sleeping_unstable", "hanging", "aperiodic"]:
-        """Kind of motion."""
+        """Kind of motion: nutating, regular_precession, sleeping_stable, sleeping_unstable, hanging, aperiodic."""
         return self._core.regime
 
     @property
     def tip_class(self) -> Literal["smooth", "cusp", "loops", "circle", "through_origin", "spiral", "point"]:
-        """Class of the curve that the tip draws."""
+        """Class of the curve of the tip: smooth, cusp, loops, circle, through_origin, spiral, point."""
         return self._core.tip_class
 
     @property
     def l(self) -> float:  # noqa: E743: the name of the paper
-        """Vertical angular momentum l, kg m²/s."""
+        """Angular momentum about the vertical (kg m²/s)."""
         return self._core.constant("l")
 
     @property
     def n(self) -> float:
-        """Axial angular momentum n = C (omega . r) + K, kg m²/s."""
+        """Angular momentum about the symmetry axis, C spin + K (kg m²/s)."""
         return self._core.constant("n")
 
     @property
     def h(self) -> float:
-        """Energy h, J; the potential energy is 0 where the centre of mass is at the height of the tip."""
+        """Energy; the potential energy is 0 where the centre of mass is at the height of the tip (J)."""
         return self._core.constant("h")
 
     @property
     def e1(self) -> float:
-        """Branch point e1: the least cosine of the tilt."""
+        """Least cosine of the tilt."""
         return self._core.constant("e1")
 
     @property
     def e2(self) -> float:
-        """Branch point e2: the greatest cosine of the tilt."""
+        """Greatest cosine of the tilt."""
         return self._core.constant("e2")
 
     @property
     def e3(self) -> float:
-        """Branch point e3 >= 1."""
+        """Third root, at least 1, of the cubic whose other roots are e1 and e2; infinite without torque."""
         return self._core.constant("e3")
 
     @property
     def e4(self) -> float | None:
-        """Branch point e4 = sqrt(1 + A/(p s)); None for a fixed tip."""
+        """Measure √(1 + A/(p s)) of the effect of the sliding tip; none for a held tip or a free body."""
         return self._if_any("e4")
 
     @property
@@ -97,27 +97,27 @@ class Constants:
 
     @property
     def period(self) -> float | None:
-        """Nutation period, s; where the tilt is constant, that of a small nutation. None where no motion nearby is periodic."""
+        """Nutation period; where the tilt is constant, that of a small nutation; none where no motion nearby is periodic (s)."""
         return self._if_any("period")
 
     @property
     def alpha_turns(self) -> float | None:
-        """Mean rotation of alpha in a nutation period, turns, whole turns included; None without a period."""
+        """Advance of the argument of the Cayley-Klein parameter α in a period, whole turns included (turns)."""
         return self._if_any("alpha_turns")
 
     @property
     def beta_turns(self) -> float | None:
-        """Mean rotation of beta in a nutation period, turns, whole turns included; None without a period."""
+        """Advance of the argument of the Cayley-Klein parameter β in a period, whole turns included (turns)."""
         return self._if_any("beta_turns")
 
     @property
     def phi_per_period(self) -> float | None:
-        """Advance of the tip angle in a nutation period, rad; None without a period, or where the axis is vertical."""
+        """Advance of the tip angle in a period; none where the axis is vertical (rad)."""
         return self._if_any("phi_per_period")
 
     @property
     def min_normal_force(self) -> float | None:
-        """Least normal force of the plane, in units of the weight; below 0 a real top leaves the plane. None for a fixed tip."""
+        """Least normal force of the plane, below 0 where a real top leaves it; none for a held tip or a free body (weights)."""
         return self._if_any("min_normal_force")
 
     def _if_any(self, name: str) -> float | None:

@@ -9,7 +9,8 @@ use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::greater_or_infinite;
 use toytop_host::motion::{Scalar, constant_as_json, spread_times};
-use toytop_model::timed_motion::{CONSTANTS, Constant, TimedMotion};
+use toytop_model::constants::{CONSTANTS, Constant};
+use toytop_model::timed_motion::TimedMotion;
 
 /// Column of a sweep.
 #[derive(Clone, Copy)]

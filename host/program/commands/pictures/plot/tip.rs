@@ -11,7 +11,7 @@ use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::output::significant;
 use toytop_host::pictures::MotionSpan;
 use toytop_host::pictures::curve::TipCurve;
-use toytop_model::timed_motion::tip_class;
+use toytop_model::constants::tip_class;
 
 /// Sizes of the layout in pixels: side of the square for the curve, and margins around it.
 const SIDE: f64 = 560.0;
