@@ -20,21 +20,19 @@ pub struct Constant {
     pub value: Value,
 }
 
+/// Function of a motion whose value is a number.
+pub type NumberOf = fn(&TimedMotion) -> f64;
+
 /// Value of a constant.
 #[derive(Clone, Copy)]
 pub enum Value {
     /// Number; NaN where the motion does not have it.
-    Number(fn(&TimedMotion) -> f64),
+    Number(NumberOf),
     /// Word.
     Word(fn(&TimedMotion) -> &'static str),
 }
 
-const fn number(
-    name: &'static str,
-    unit: &'static str,
-    meaning: &'static str,
-    value: fn(&TimedMotion) -> f64,
-) -> Constant {
+const fn number(name: &'static str, unit: &'static str, meaning: &'static str, value: NumberOf) -> Constant {
     Constant { name, unit, meaning, value: Value::Number(value) }
 }
 
@@ -47,7 +45,7 @@ const fn word(
 }
 
 /// Names and functions of all constants that are numbers, with the numbers of the top and of the start.
-pub fn number_constants() -> impl Iterator<Item = (&'static str, fn(&TimedMotion) -> f64)> {
+pub fn number_constants() -> impl Iterator<Item = (&'static str, NumberOf)> {
     let numbers = CONSTANTS.iter().filter_map(|constant| match constant.value {
         Value::Number(value) => Some((constant.name, value)),
         Value::Word(_) => None,
@@ -171,7 +169,7 @@ pub static CONSTANTS: [Constant; 28] = [
 ];
 
 /// Numbers of the top and of the motion at t = 0.
-static TOP_AND_START: [(&str, fn(&TimedMotion) -> f64); 20] = [
+static TOP_AND_START: [(&str, NumberOf); 20] = [
     // 0 sliding, 1 fixed, 2 free
     ("support", |motion| f64::from(motion.top().support() as u8)),
     ("A", |motion| motion.top().transverse_inertia()),
