@@ -3,6 +3,7 @@
 //! | module | content |
 //! |---|---|
 //! | [`parameters`] | supports by name, top and release from the numbers of a scenario |
+//! | [`launch`] | launch of a motion from the numbers of a scenario |
 //! | [`equations`] | full 3-D equations of motion |
 //! | [`timed_motion`] | motion whose period is integrated once, and the ticks of its table |
 //! | [`constants`] | constants of a motion by name, with their meanings |
@@ -17,5 +18,6 @@ pub mod aperiodic;
 pub mod constants;
 pub mod display_duration;
 pub mod equations;
+pub mod launch;
 pub mod parameters;
 pub mod timed_motion;

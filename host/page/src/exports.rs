@@ -3,7 +3,6 @@
 //! A result stays there until the next call, and JavaScript copies the data that it keeps. The functions are exported by their
 //! unmangled names only on WebAssembly, because elsewhere another function could have the same name.
 
-use crate::launch;
 use crate::runge_kutta::RungeKutta;
 use crate::table::{self, PageTable};
 use core::array::from_fn;
@@ -12,6 +11,7 @@ use spin::Mutex;
 use toytop::{Motion, ParameterError, Support};
 use toytop_model::constants::{number_constants, regime, tip_class};
 use toytop_model::display_duration::display_duration;
+use toytop_model::launch::{KINDS, Launch};
 use toytop_model::parameters::{self, SUPPORTS, top_parameters};
 use toytop_model::timed_motion::TimedMotion;
 
@@ -47,7 +47,7 @@ pub fn launch_names() -> impl Iterator<Item = &'static str> {
 /// Sets the motion. After a refusal there is none.
 ///
 /// * `support`: index in [`SUPPORTS`]
-/// * `kind`: 0 release, 1 state, 2 branch points
+/// * `kind`: index in [`KINDS`]
 /// * the array: the numbers of [`top_parameters`], then of the motion
 ///
 /// The result is the length of the words. It is positive if all is well: the words are regime and class of the tip curve,
@@ -76,8 +76,9 @@ fn launched(support: u32, kind: u32) -> Result<TimedMotion, ParameterError> {
     let support = SUPPORTS.get(support as usize).map_or(Support::Sliding, |(_, support)| *support);
     let numbers_of_top = from_fn(number);
     let top = parameters::top(support, &top_parameters(numbers_of_top))?;
-    let motion = launch::motion(&top, kind, from_fn(|i| number(numbers_of_top.len() + i)))?;
-    let motion = TimedMotion::new(motion);
+    let kind = KINDS.get(kind as usize).copied().unwrap_or_default();
+    let launch = Launch::new(kind, from_fn(|i| number(numbers_of_top.len() + i)))?;
+    let motion = TimedMotion::new(launch.motion(&top)?);
     TABLE.lock().set_up(&motion)?;
     Ok(motion)
 }

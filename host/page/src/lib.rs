@@ -4,7 +4,6 @@
 //! |---|---|
 //! | [`table`] | table of a motion in `f64`: any time, at the same cost |
 //! | [`runge_kutta`] | classical Runge-Kutta method, for comparison |
-//! | [`launch`] | motion from the numbers of the page |
 //! | [`exports`] | functions that JavaScript calls |
 //!
 //! On WebAssembly the crate has no `std` and no allocator. Elsewhere it is an ordinary library, whose tests run on the host.
@@ -12,7 +11,6 @@
 #![cfg_attr(target_family = "wasm", no_std)]
 
 pub mod exports;
-pub mod launch;
 pub mod runge_kutta;
 pub mod table;
 

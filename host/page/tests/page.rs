@@ -3,17 +3,15 @@
 use toytop::scalar::Float;
 use toytop::{Motion, Pose, Release, State, Stepper, Support, TableF64, Top};
 use toytop_model::constants::number_constants;
+use toytop_model::launch::Launch;
 use toytop_model::parameters::{self, tilt_from_degrees, top_parameters};
 use toytop_model::timed_motion::TimedMotion;
 use toytop_page::exports::launch_names;
-use toytop_page::launch;
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
 use toytop_page::table::{PageTable, pose_numbers};
 
 /// The toy top of the README: A, C, s, M, p, g, K.
 const TOY_TOP: [f64; 7] = [3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0];
-/// Kind of a motion that is a release.
-const RELEASE: u32 = 0;
 /// Tilt, spin, precession, nutation, azimuth, roll.
 const THROW: [f64; 8] = [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0];
 
@@ -21,8 +19,12 @@ fn top(support: Support, numbers: [f64; 7]) -> Top {
     parameters::top(support, &top_parameters(numbers)).unwrap()
 }
 
+fn launched(top: &Top, kind: &str, numbers: [f64; 8]) -> Motion {
+    Launch::new(kind, numbers).unwrap().motion(top).unwrap()
+}
+
 fn thrown() -> Motion {
-    launch::motion(&top(Support::Sliding, TOY_TOP), RELEASE, THROW).unwrap()
+    launched(&top(Support::Sliding, TOY_TOP), "release", THROW)
 }
 
 fn constant(motion: &Motion, name: &str) -> f64 {
@@ -54,8 +56,8 @@ fn numbers_make_the_motion_that_names_make() {
     assert_eq!(thrown(), Motion::launch(&top, &state).unwrap());
     let ([alpha, beta], omega) = ([state.orientation().alpha, state.orientation().beta], state.omega());
     let numbers = [alpha.re, alpha.im, beta.re, beta.im, omega[0], omega[1], omega[2], 0.0];
-    assert_eq!(launch::motion(&top, 1, numbers).unwrap(), thrown());
-    let of_roots = launch::motion(&top, 2, [0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]).unwrap();
+    assert_eq!(launched(&top, "state", numbers), thrown());
+    let of_roots = launched(&top, "branch_points", [0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]);
     assert_eq!(["e1", "e2", "e3"].map(|name| constant(&of_roots, name)), [0.5, 0.75, 2.0]);
     assert!(constant(&of_roots, "l").abs() < constant(&of_roots, "n").abs());
 }
@@ -81,7 +83,7 @@ fn angles_and_rates_at_the_start_are_those_of_the_throw() {
 #[test]
 fn a_free_body_has_its_angular_momentum() {
     let top = top(Support::Free, [3.0e-5, 2.0e-5, 0.0, 0.0, 0.0, 0.0, 1.0e-3]);
-    let motion = launch::motion(&top, RELEASE, THROW).unwrap();
+    let motion = launched(&top, "release", THROW);
     let state = Stepper::<f64>::new(&motion).attitude_state();
     let (r, omega) = (state.orientation.axis(), state.omega());
     let axial = -1.0e-5 * 150.0 + 1.0e-3;
@@ -99,7 +101,7 @@ fn what_is_no_motion_is_refused_by_its_name() {
     let refused = |i: usize, x: f64| {
         let mut numbers = THROW;
         numbers[i] = x;
-        launch::motion(&top, RELEASE, numbers).unwrap_err().parameter()
+        Launch::new("release", numbers).and_then(|launch| launch.motion(&top)).unwrap_err().parameter()
     };
     assert_eq!(
         [refused(0, 180.1), refused(0, -1.0), refused(1, f64::NAN), refused(2, 1e12)],

@@ -7,8 +7,9 @@ mod motion;
 mod motion_input;
 mod top;
 
-pub use motion::{Launch, fastest_rate};
+pub use motion::fastest_rate;
 pub use motion_input::MotionInput;
+pub use toytop_model::launch::Launch;
 
 use super::section::{self, Key, Section};
 use super::text_file;
@@ -18,6 +19,7 @@ use serde_json::json;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{InitialAngles, Top, TopParameters};
+use toytop_model::launch::KINDS;
 use toytop_model::parameters::SUPPORTS;
 use toytop_model::timed_motion::TimedMotion;
 
@@ -197,13 +199,13 @@ pub fn to_toml(top: &Table, launch: &Launch) -> String {
 /// Supports and kinds of motion of a scenario, and the keys of each table with their default values.
 pub fn keys_as_json() -> serde_json::Value {
     let keys = |keys: &[Key]| keys.iter().map(|key| (key.name, key.default)).collect::<Vec<_>>();
-    let kinds = motion::KINDS.map(|(kind, of_kind)| (kind, keys(of_kind)));
+    let kinds: Vec<_> = KINDS.iter().zip(motion::KEYS).map(|(kind, of_kind)| (kind, keys(of_kind))).collect();
     json!({ "supports": SUPPORTS.map(|(name, _)| name), "top": keys(&top::KEYS), "kinds": kinds })
 }
 
 /// Replaces numbers with units by numbers in the units of their keys.
 fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refusal> {
-    for Key { name, units, .. } in top::KEYS.iter().chain(motion::KINDS.iter().flat_map(|(_, keys)| *keys)) {
+    for Key { name, units, .. } in top::KEYS.iter().chain(motion::KEYS.into_iter().flatten()) {
         let entries = match table.get_mut(*name) {
             Some(Value::Array(entries)) => &mut entries[..],
             Some(value) => std::slice::from_mut(value),

@@ -39,12 +39,9 @@ function missingKeys({ top, motion }) {
   return [...keysOfTop(top).filter((key) => top[key] === undefined), ...MOTION_KEYS[motion.kind].filter((key) => !holds(key))];
 }
 
-/** Allowed ranges, in degrees, of angles whose ranges the core states in rad. */
-const RANGES_IN_DEGREES = { tilt: "between 0 and 180 degrees" };
-
 /** Message of a refusal: missing keys by their names in a scenario, a number by its name in words. */
 export const refusalText = ({ missing, parameter, allowed }) =>
-  missing ? `${missing.join(", ")}: must be given` : `${parameter.replaceAll("_", " ")}: must be ${RANGES_IN_DEGREES[parameter] ?? allowed}`;
+  missing ? `${missing.join(", ")}: must be given` : `${parameter.replaceAll("_", " ")}: must be ${allowed}`;
 
 /** Orientation, axis and tip, from the ten numbers that the core returns for a time. */
 function poseOf(numbers) {
@@ -72,7 +69,8 @@ export class Core {
   }
 
   constructor(exports, names) {
-    Object.assign(this, { exports, names });
+    this.exports = exports;
+    this.names = names;
     const { buffer } = exports.memory;
     this.numbers = new Float64Array(buffer, exports.numbers(), COORDINATES * MAX_POINTS);
     this.words = (length) => new TextDecoder().decode(new Uint8Array(buffer, exports.words(), length)).split("\n");

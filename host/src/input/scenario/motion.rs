@@ -3,8 +3,8 @@
 use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{RADIANS, RATE};
-use toytop::{Complex, InitialAngles, Motion, Orientation, Release, Sign, Signs, State, Top};
-use toytop_model::parameters::release_from_degrees;
+use toytop::{Motion, Release, Top};
+use toytop_model::launch::{KINDS, Launch};
 
 const RATE_RANGE: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
@@ -43,9 +43,8 @@ static BRANCH_POINTS: [Key; 8] = [
     Key::optional("arg_beta", 0.0, ANGLE).with_units(RADIANS),
 ];
 
-/// Kinds of motion with their keys, in the order of the numbers of a page.
-pub static KINDS: [(&str, &[Key]); 3] =
-    [("release", &RELEASE), ("state", &STATE), ("branch_points", &BRANCH_POINTS)];
+/// Keys of the [`KINDS`], in the order of the numbers of [`Launch::new`].
+pub static KEYS: [&[Key]; 3] = [&RELEASE, &STATE, &BRANCH_POINTS];
 
 /// Keys of a kind that hold one number each.
 pub fn numbers(kind: &str) -> &'static [Key] {
@@ -53,33 +52,6 @@ pub fn numbers(kind: &str) -> &'static [Key] {
         "release" => &RELEASE,
         "branch_points" => &BRANCH_POINTS,
         _ => &[],
-    }
-}
-
-/// Launch of a motion.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Launch {
-    /// Branch points e₁, e₂ and e₃.
-    BranchPoints {
-        /// Branch points.
-        e: [f64; 3],
-        /// Signs of l + n and l - n.
-        signs: Signs,
-        /// Phases at t = 0.
-        phases: InitialAngles,
-    },
-    /// Orientation and angular velocity.
-    State {
-        /// Orientation. Its norm is 1 to within 1e-6, and it stands for the normalised one.
-        orientation: Orientation<f64>,
-        /// Angular velocity ω in the fixed frame.
-        omega: [f64; 3],
-    },
-}
-
-impl From<&State> for Launch {
-    fn from(state: &State) -> Self {
-        Self::State { orientation: state.orientation(), omega: state.omega() }
     }
 }
 
@@ -93,43 +65,38 @@ pub fn fastest_rate(release: &Release) -> &'static str {
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failure> {
     let refused = |error| section.refusal(&error);
-    let kind = section.choice("kind", &KINDS.map(|(name, _)| name), None)?;
+    let kind = section.choice("kind", &KINDS, None)?;
     let choice = Some(("kind", kind));
-    let (state, fastest) = match kind {
+    let (numbers, fastest) = match kind {
         "release" => {
             let [tilt, spin, precession, nutation, azimuth, roll] = section.only_numbers(choice, &RELEASE)?;
-            let degrees = Release { tilt, spin, precession, nutation, azimuth, roll };
-            let release = release_from_degrees(degrees);
-            (State::from_release(&release), fastest_rate(&release))
+            let rates = Release { spin, precession, nutation, ..Release::default() };
+            ([tilt, spin, precession, nutation, azimuth, roll, 0.0, 0.0], fastest_rate(&rates))
         }
         "state" => {
             section.only(choice, STATE.iter().map(|key| key.name))?;
             let [alpha, beta, omega] = &STATE;
-            let complex = |key| section.array(key, None).map(|[re, im]| Complex::new(re, im));
-            let orientation = Orientation { alpha: complex(alpha)?, beta: complex(beta)? };
-            (State::new(orientation, section.array(omega, None)?), "omega")
+            let ([a, b], [c, d]) = (section.array(alpha, None)?, section.array(beta, None)?);
+            let [x, y, z] = section.array(omega, None)?;
+            ([a, b, c, d, x, y, z, 0.0], "omega")
         }
         _ => {
-            let [e @ .., l_plus_n, l_minus_n, theta, arg_alpha, arg_beta] =
-                section.only_numbers(choice, &BRANCH_POINTS)?;
-            for (key, sign) in [("sign_l_plus_n", l_plus_n), ("sign_l_minus_n", l_minus_n)] {
+            let numbers = section.only_numbers(choice, &BRANCH_POINTS)?;
+            for (key, sign) in [("sign_l_plus_n", numbers[3]), ("sign_l_minus_n", numbers[4])] {
                 if sign.abs() != 1.0 {
                     return Err(section.failure(key, &format!("must be {SIGN}")));
                 }
             }
-            let signs = Signs { l_plus_n: Sign::new(l_plus_n), l_minus_n: Sign::new(l_minus_n) };
-            let phases = InitialAngles { theta, arg_alpha, arg_beta };
-            let motion = Motion::from_branch_points(top, e, signs, &phases).map_err(refused)?;
-            return Ok((motion, Launch::BranchPoints { e, signs, phases }));
+            (numbers, "kind")
         }
     };
-    let state = state.map_err(refused)?;
-    let motion = Motion::launch(top, &state).map_err(|error| match error.parameter() {
+    let launch = Launch::new(kind, numbers).map_err(refused)?;
+    let motion = launch.motion(top).map_err(|error| match error.parameter() {
         "omega" => section.failure(
             fastest,
             "must be slow enough for e3 <= 1e14 (faster, a body feels no torque: support = \"free\" is then exact)",
         ),
         _ => refused(error),
     })?;
-    Ok((motion, Launch::from(&state)))
+    Ok((motion, launch))
 }

@@ -1,7 +1,7 @@
 //! Top and launch of a motion, taken as exact.
 
-use super::motion::Launch;
-use toytop::{Motion, ParameterError, State, Support, TopParameters};
+use super::Launch;
+use toytop::{ParameterError, Support, TopParameters};
 use toytop_model::parameters;
 use toytop_model::timed_motion::TimedMotion;
 
@@ -23,10 +23,6 @@ impl MotionInput {
     /// The errors of a top, a state and a launch.
     pub fn motion(&self) -> Result<TimedMotion, ParameterError> {
         let top = parameters::top(self.support, &self.top)?;
-        let motion = match self.launch {
-            Launch::BranchPoints { e, signs, phases } => Motion::from_branch_points(&top, e, signs, &phases),
-            Launch::State { orientation, omega } => Motion::launch(&top, &State::new(orientation, omega)?),
-        };
-        motion.map(TimedMotion::new)
+        self.launch.motion(&top).map(TimedMotion::new)
     }
 }
