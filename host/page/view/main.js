@@ -2,6 +2,7 @@
 
 import { listenToSizes } from "./pictures/canvas.js";
 import { data } from "./motion/data.js";
+import { elements } from "./interaction/document.js";
 import { buildControls } from "./interaction/controls.js";
 import { change, applyAddress, loadCore, play, redraw, setScenario } from "./interaction/state.js";
 import { fillPresets, listenToMotion, listenToPictures, listenToTime, onKey, recolour } from "./interaction/listen.js";
@@ -16,7 +17,7 @@ async function begin() {
   listenToPictures();
   document.addEventListener("keydown", onKey);
   window.addEventListener("hashchange", applyAddress);
-  listenToSizes(document.querySelectorAll("canvas"), redraw);
+  listenToSizes(elements("canvas"), redraw);
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolour);
   for (const event of ["beforeprint", "afterprint"]) window.addEventListener(event, recolour);
   matchMedia("print").addEventListener("change", recolour);

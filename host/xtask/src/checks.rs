@@ -64,6 +64,12 @@ fn with_target_dir(mut command: Command, folder: PathBuf) -> Command {
     command
 }
 
+/// Checks the scripts of the page by TypeScript's compiler: names, types, arguments, and that nothing is unused.
+pub(crate) fn scripts() -> Result<String> {
+    let options = "--noEmit --allowJs --checkJs --target es2022 --noUnusedLocals --noUnusedParameters";
+    passes(&mut command("host/page/view", &format!("tsc {options} main.js")))
+}
+
 /// Runs all tests and core's examples, and returns the closing line of every test binary.
 pub(crate) fn tests() -> Result<String> {
     let output = run(&mut cargo(".", "test --workspace --lib --bins --tests"))?;

@@ -8,7 +8,7 @@ use std::time::Instant;
 
 use anyhow::{Context, Result};
 
-use crate::tools::{C, CHIPS, CHROMIUM, COVERAGE, FUZZER, HACK, LINTS, PAGE, PYTHON, QEMU, Tool};
+use crate::tools::{C, CHIPS, CHROMIUM, COVERAGE, FUZZER, HACK, LINTS, PAGE, PYTHON, QEMU, TYPESCRIPT, Tool};
 use crate::{c, checks, firmware, python, size};
 
 /// One step of the test command.
@@ -35,6 +35,7 @@ const ON_HOST: &[Step] = &[
     every_change("size", &[], size::check),
     every_change("fmt", &[LINTS], checks::fmt),
     every_change("clippy", &[LINTS, PAGE], checks::clippy),
+    every_change("scripts", &[TYPESCRIPT], checks::scripts),
     every_change("tests", &[PAGE], checks::tests),
     every_change("doctests", &[PAGE], checks::doctests),
     every_change("browser", &[PAGE, CHROMIUM], checks::browser),

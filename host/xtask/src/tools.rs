@@ -37,6 +37,8 @@ pub(crate) const PAGE: Tool = tool(
     "test -d $(rustc --print target-libdir --target wasm32-unknown-unknown)",
     "rustup target add wasm32-unknown-unknown",
 );
+pub(crate) const TYPESCRIPT: Tool =
+    tool("TypeScript's compiler", "tsc --version", "apt-get install node-typescript");
 pub(crate) const QEMU: Tool = tool(
     "QEMU",
     "qemu-system-arm --version && qemu-system-riscv32 --version",

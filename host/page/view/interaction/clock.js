@@ -2,8 +2,11 @@
 
 /** Clock that can be started and stopped; `step` is called for each frame with the time since the last one, s. */
 export class Clock {
+  playing = false;
+  last = 0;
+
   constructor(step) {
-    Object.assign(this, { step, playing: false, last: 0 });
+    this.step = step;
   }
 
   play(playing) {

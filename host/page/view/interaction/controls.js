@@ -119,7 +119,7 @@ export function buildControls(change) {
 }
 
 /** Shows the numbers of a motion. `settle` also sets the ranges of the sliders around these numbers. */
-export function showControls({ scenario, constants, settle }) {
+export function showControls({ scenario, constants, settle = false }) {
   for (const control of CONTROLS) {
     const x = control.read(scenario, constants);
     control.row.hidden = x === undefined;

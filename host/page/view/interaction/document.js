@@ -2,7 +2,17 @@
 
 import { unitName } from "../motion/text.js";
 
+/**
+ * Element of this id.
+ * @type {(id: string) => any}
+ */
 export const element = (id) => document.getElementById(id);
+
+/**
+ * Elements of a selector.
+ * @type {(selector: string) => any[]}
+ */
+export const elements = (selector) => [...document.querySelectorAll(selector)];
 
 /** Shows a message on a topic; an empty text removes the message if it is on that topic. */
 export function showMessage(topic, text, isError = true) {

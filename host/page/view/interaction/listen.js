@@ -6,7 +6,7 @@ import { SUPPORTS } from "../motion/core.js";
 import { asBranchPoints, toToml, withSupport } from "../motion/scenario.js";
 import { presetsOf } from "../motion/presets.js";
 import { palette, sizes } from "../pictures/canvas.js";
-import { element, mark, showMessage } from "./document.js";
+import { element, elements, mark, showMessage } from "./document.js";
 import { CONTROLS } from "./controls.js";
 import { addressFragment, change, clock, FLAT_PICTURES, go, play, redraw, updateAddress, scene, setScenario, setSpeed, show, shown, START_VIEW, startComparison, state } from "./state.js";
 import { canFilm, copy, download, fileName, filmer, savePng, svgOf } from "./save.js";
@@ -100,17 +100,17 @@ export function listenToMotion() {
 }
 
 export function listenToPictures() {
-  for (const canvas of document.querySelectorAll("canvas[data-turns]")) {
+  for (const canvas of elements("canvas[data-turns]")) {
     listenToTurns(canvas, turn, () => {
       state.view = { ...START_VIEW };
       redraw();
     });
   }
-  for (const button of document.querySelectorAll("button[data-png]")) {
+  for (const button of elements("button[data-png]")) {
     const what = button.dataset.png;
     button.addEventListener("click", () => savePng(element(`${what}-picture`), what));
   }
-  for (const button of document.querySelectorAll("button[data-svg]")) {
+  for (const button of elements("button[data-svg]")) {
     const what = button.dataset.svg;
     const draw = (paper) => FLAT_PICTURES[what](paper, shown.frame);
     button.addEventListener("click", () => {
@@ -136,7 +136,7 @@ export function listenToPictures() {
 }
 
 export function recolour() {
-  for (const canvas of document.querySelectorAll("canvas")) sizes.delete(canvas);
+  for (const canvas of elements("canvas")) sizes.delete(canvas);
   state.colours = palette();
   show();
 }

@@ -14,7 +14,7 @@ import { drawSphere } from "../pictures/sphere.js";
 import { drawPlan } from "../pictures/plan.js";
 import { drawChart } from "../pictures/charts.js";
 import { drawPotential } from "../pictures/potential.js";
-import { element, fillTable, mark, showMessage } from "./document.js";
+import { element, elements, fillTable, mark, showMessage } from "./document.js";
 import { showControls, typed } from "./controls.js";
 import { Clock } from "./clock.js";
 
@@ -44,7 +44,7 @@ const inSeconds = (text) => (state.scenario.units === "none" ? text : `${text} s
 const limited = (t) => Math.max(-FURTHEST, Math.min(FURTHEST, t));
 
 /** Shows a scenario; if the core refuses it, shows the reason and keeps the scenario before. */
-export function setScenario(scenario, { settle = false, name } = {}) {
+export function setScenario(scenario, { settle = false, name = undefined } = {}) {
   const launched = core.launch(scenario);
   if (launched.refused) {
     showMessage("motion", refusalText(launched.refused));
@@ -117,7 +117,7 @@ function tellMotion(launched) {
   element("tip-legend").parentElement.hidden = scene.support === "free";
   element("tip-legend").textContent = scene.slides ? "tip on the plane" : "foot of the axis, −2αβ";
   element("momentum-legend").hidden = !scene.momentum;
-  for (const unit of document.querySelectorAll(".second")) unit.hidden = state.scenario.units === "none";
+  for (const unit of elements(".second")) unit.hidden = state.scenario.units === "none";
   fillTable(element("teachers-facts"), teachersFacts(launched, state.scenario), state.scenario);
   fillTable(element("papers-facts"), paperFacts(launched), state.scenario);
 }

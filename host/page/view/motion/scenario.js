@@ -115,7 +115,7 @@ export function withSupport(scenario, support, constants) {
   if (before === support) return scenario;
   const { transverse_inertia: a, axial_inertia, gravity, rotor_momentum } = scenario.top;
   const [mass, com_height] = leverOf(scenario.top);
-  const about = mass * com_height ** 2 * ((support === "fixed") - (before === "fixed"));
+  const about = mass * com_height ** 2 * (Number(support === "fixed") - Number(before === "fixed"));
   const given = { ...(gravity && { gravity }), ...(rotor_momentum && { rotor_momentum }) };
   const top = { support, transverse_inertia: a + about, axial_inertia, com_height, mass, ...given };
   // branch points do not determine the motion of a free body

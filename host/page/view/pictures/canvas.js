@@ -44,7 +44,11 @@ export function sheet(canvas, ground) {
   return { pen, size };
 }
 
-/** Path through points of the canvas. */
+/**
+ * Path through points of the canvas.
+ * @param {any} pen
+ * @param {number[][]} pixels
+ */
 export function trace(pen, pixels, closed = false) {
   pen.beginPath();
   pixels.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
@@ -58,6 +62,11 @@ export function stroke(pen, style, width, dash = []) {
   pen.setLineDash([]);
 }
 
+/**
+ * Draws a disc.
+ * @param {any} pen
+ * @param {number[]} pixel
+ */
 export function disc(pen, [x, y], radius, style) {
   pen.beginPath();
   pen.arc(x, y, radius, 0, 2 * Math.PI);
@@ -66,7 +75,7 @@ export function disc(pen, [x, y], radius, style) {
 }
 
 /** Draws a trail in parts, the older the fainter. `seen` returns the opacity at a point, 0 for a hidden one. */
-export function fading(pen, pixels, style, width, seen = () => 1) {
+export function fading(pen, pixels, style, width, seen = (_pixel) => 1) {
   const parts = Math.min(40, pixels.length - 1);
   for (let part = 0; part < parts; part++) {
     const [from, to] = [part, part + 1].map((n) => Math.floor((n * (pixels.length - 1)) / parts));

@@ -16,7 +16,7 @@ function wheelOutline(breadth) {
 }
 
 /** Colours of the wheel: a web with a stripe and four fields, a brass rim with a mark, a steel axle. */
-function paintWheel(height, sector, radius, breadth) {
+function paintWheel(sector, radius, breadth) {
   const [stripe, brass] = [sector < SECTORS / 12, [201, 164, 84]];
   if (radius < 0.18) return PAINT.metal;
   if (radius > 0.78 * breadth) return stripe ? PAINT.mark : brass;
@@ -25,7 +25,7 @@ function paintWheel(height, sector, radius, breadth) {
 }
 
 export function gyroscope(breadth) {
-  return bodyOf(wheelOutline(breadth), (height, sector, radius) => paintWheel(height, sector, radius, breadth));
+  return bodyOf(wheelOutline(breadth), (_height, sector, radius) => paintWheel(sector, radius, breadth));
 }
 
 /** Height of the table below the stand, low enough for the body to pass above it. */

@@ -13,7 +13,10 @@ export function drawnPose(scene, pose) {
 /** Points of the motion at whole multiples of a time step, each computed once. */
 export class Points {
   constructor(core, scene) {
-    Object.assign(this, { core, scene, stride: scene.span / scene.parts, points: new Map() });
+    this.core = core;
+    this.scene = scene;
+    this.stride = scene.span / scene.parts;
+    this.points = new Map();
   }
 
   /** Points in the interval of length `span` before t. */

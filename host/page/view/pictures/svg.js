@@ -1,10 +1,19 @@
 // Drawing context that writes SVG. It has the methods of a canvas that the flat pictures use, so that one function draws on both.
 
 export class SvgPen {
+  path = "";
+  dash = [];
+  globalAlpha = 1;
+  lineCap = "round";
+  lineWidth = 1;
+  strokeStyle = "";
+  fillStyle = "";
+  font = "";
+  textAlign = "left";
+
   constructor(ground, [width, height]) {
     this.size = [width, height];
     this.parts = [`<rect width="${width}" height="${height}" fill="${ground}"/>`];
-    Object.assign(this, { globalAlpha: 1, lineCap: "round", path: "", dash: [] });
   }
 
   beginPath() {
