@@ -1,11 +1,9 @@
-//! `toytop errata`: errors of the printed paper, from the page of the errata. `tests/reference/errata.py` evaluates each formula as printed
+//! `toytop errata`: errors of the printed paper, from `errata.toml`. `tests/reference/errata.py` evaluates each formula as printed
 //! and as corrected, and a test compares the residuals.
 
 use crate::terminal::stdout::Report;
 use clap::Args;
-use serde::Serialize;
-use serde_json::json;
-use std::array::from_fn;
+use serde::{Deserialize, Serialize};
 use toytop_host::Failure;
 use toytop_host::output::{self, Format};
 
@@ -19,61 +17,48 @@ pub struct ErrataArgs {
 }
 
 pub fn run(arguments: &ErrataArgs) -> Result<Report, Failure> {
-    let errata = errata();
-    Ok(output::render(arguments.format, &json!({ "errata": errata }), &errata, || table().to_owned()).into())
+    let document: Errata = toml::from_str(include_str!("errata.toml")).expect("the file of this program");
+    let errata = &document.errata;
+    Ok(output::render(arguments.format, &document, errata, || table(errata)).into())
 }
 
-/// Page whose first block of text is the table.
-const PAGE: &str = include_str!("../../../../core/closed-forms/docs/errata.md");
-
-/// Table of the page: a heading, then four lines for each erratum.
-fn table() -> &'static str {
-    PAGE.split("```").nth(1).map_or("", |block| block.trim_start_matches("text\n"))
+/// Heading, then four lines for each erratum.
+fn table(errata: &[Erratum]) -> String {
+    let mut text = "               residual\n".to_owned();
+    for erratum in errata {
+        let Erratum { number, place, against, printed, corrected, residual_printed, residual_corrected } =
+            erratum;
+        let bound =
+            if *residual_corrected > 0.0 { format!("< {residual_corrected:e}") } else { "0".to_owned() };
+        text += &format!(
+            "{number:2}  {place}\n    against              {against}\n    printed    {residual_printed:8.2}  {printed}\n    \
+             corrected  {bound:>8}  {corrected}\n"
+        );
+    }
+    text
 }
 
 /// Wrong formula of the paper with its correction. The names are the keys of JSON.
-#[derive(Serialize)]
+#[derive(Deserialize, Serialize)]
 struct Erratum {
     /// Number on the page.
     number: usize,
     /// Place in the paper: a label or a section.
-    place: &'static str,
+    place: String,
     /// Quantity that the formula is compared with; a residual is their largest difference.
-    against: &'static str,
+    against: String,
     /// Formula as printed.
-    printed: &'static str,
+    printed: String,
     /// Corrected formula.
-    corrected: &'static str,
+    corrected: String,
     /// Residual of the printed formula, to two decimals.
     residual_printed: f64,
     /// Power of ten above the residual of the corrected formula; 0 where it is exact.
     residual_corrected: f64,
 }
 
-/// All errors with a formula that can be evaluated, in the order of the paper.
-fn errata() -> Vec<Erratum> {
-    let lines: Vec<_> = table().lines().skip(1).collect();
-    lines.as_chunks().0.iter().map(erratum).collect()
-}
-
-/// Erratum of four lines, whose fields are apart by two spaces or more.
-fn erratum([heading, against, printed, corrected]: &[&'static str; 4]) -> Erratum {
-    fn fields<const N: usize>(line: &'static str) -> [&'static str; N] {
-        let mut fields = line.split("  ").map(str::trim).filter(|field| !field.is_empty());
-        from_fn(|_| fields.next().unwrap_or_default())
-    }
-    let residual = |text: &str| text.trim_start_matches("< ").parse().unwrap_or(f64::NAN);
-    let [number, place] = fields(heading);
-    let [_, against] = fields(against);
-    let [_, residual_printed, printed] = fields(printed);
-    let [_, residual_corrected, corrected] = fields(corrected);
-    Erratum {
-        number: number.parse().unwrap_or_default(),
-        place,
-        against,
-        printed,
-        corrected,
-        residual_printed: residual(residual_printed),
-        residual_corrected: residual(residual_corrected),
-    }
+/// Errors with a formula that can be evaluated, in the order of the paper.
+#[derive(Deserialize, Serialize)]
+struct Errata {
+    errata: Vec<Erratum>,
 }

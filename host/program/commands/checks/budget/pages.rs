@@ -1,6 +1,6 @@
 //! Parts of pages that have costs: tables of the budgets, and of the set-up of many launches.
 
-use super::budgets::Budgets;
+use super::budgets::{Budgets, FLASH_S};
 use crate::files::doc_page::DocPage;
 use crate::terminal::stdout::Report;
 use crate::terminal::table::TextTable;
@@ -113,11 +113,12 @@ fn table_of_calls(budgets: &Budgets) -> String {
 }
 
 /// Rows of the front page: chip, call and text.
-const FRONT_ROWS: [(Chip, &str, &str); 4] = [
+const FRONT_ROWS: [(Chip, &str, &str); 5] = [
     (M4F, "cursor_f32", "next tick in `f32`, Cortex-M4F"),
     (M0PLUS, "cursor_q31", "next tick in 32-bit fixed point, Cortex-M0+"),
     (M0PLUS, "cursor_q15", "next tick in 16-bit fixed point, Cortex-M0+"),
     (M4F, "launch_in_static", "set-up in static memory, once per launch, Cortex-M4F"),
+    (M4F, FLASH_S, "set-up compiled for size (opt-level s), Cortex-M4F"),
 ];
 
 fn table_of_front_page(budgets: &Budgets) -> String {
