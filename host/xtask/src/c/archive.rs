@@ -52,7 +52,8 @@ pub(crate) fn list() {
     }
 }
 
-/// Makes archives, by their folders or by a target triple, with header, CMake files and packages, and returns their paths.
+/// Makes archives, by their folders or by a target triple, with header, CMake files and, but for the host alone, packages, and returns
+/// their paths.
 pub(crate) fn make(wanted: &str, to: Option<&str>) -> Result<String> {
     let chosen: Vec<_> = ARCHIVES
         .iter()
@@ -66,8 +67,13 @@ pub(crate) fn make(wanted: &str, to: Option<&str>) -> Result<String> {
         archive.build(&to).with_context(|| archive.folder)?;
     }
     fs::create_dir_all(&to)?;
-    run(command("core/c", "cp -r packages/. include").arg(&to))?;
-    run(command("core/c", "cp -r include/.").arg(to.join("src")))?;
+    if wanted == "host" {
+        // a prefix of a PC keeps no files of other build systems
+        run(command("core/c", "cp -r packages/lib include").arg(&to))?;
+    } else {
+        run(command("core/c", "cp -r packages/. include").arg(&to))?;
+        run(command("core/c", "cp -r include/.").arg(to.join("src")))?;
+    }
     let folders: Vec<_> = chosen.iter().map(|archive| archive.folder).collect();
     Ok(format!("{}: {}", to.display(), folders.join(" ")))
 }
