@@ -87,8 +87,8 @@ impl Times {
     }
 
     fn read_file(path: &Path) -> Result<Self, Failure> {
-        /// Size of the largest file, MiB.
-        const MAX_FILE_MIB: u64 = 64;
+        /// Size of the largest file, MiB: [`MAX_TIMES`] lines of 25 bytes.
+        const MAX_FILE_MIB: u64 = 256;
         let name = path.display();
         let text = text_file::read(&name.to_string(), path, MAX_FILE_MIB)?;
         let mut times = Vec::new();

@@ -60,6 +60,9 @@ impl Values {
         names: [&str; 3],
     ) -> Result<Self, String> {
         let [low_name, high_name, count_name] = names;
+        if low == high && count == Some(1) {
+            return Ok(Self::List(vec![low]));
+        }
         if low >= high {
             return Err(format!("{low_name} must be below {high_name}"));
         }

@@ -126,9 +126,8 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn links_and_modes_are_kept() {
-        let folder = std::env::temp_dir().join(format!("toytop_whole_file_{}", std::process::id()));
-        fs::create_dir_all(&folder).unwrap();
-        let [target, link] = ["target", "link"].map(|name| folder.join(name));
+        let folder = tempfile::tempdir().unwrap();
+        let [target, link] = ["target", "link"].map(|name| folder.path().join(name));
         symlink("target", &link).unwrap();
         write("-o", &link, b"one").unwrap();
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
@@ -137,6 +136,5 @@ mod tests {
         write("-o", &link, b"two").unwrap();
         assert_eq!(fs::read(&target).unwrap(), b"two");
         assert_eq!(fs::metadata(&target).unwrap().permissions().mode() & 0o777, 0o600);
-        fs::remove_dir_all(&folder).unwrap();
     }
 }

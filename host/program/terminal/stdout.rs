@@ -13,7 +13,7 @@ pub struct Report {
     pub text: String,
     /// Lines for stderr.
     pub notes: Vec<String>,
-    /// Whether the exit code is 1, although the result is printed.
+    /// Whether the exit code is 1 after the result is printed.
     pub check_failed: bool,
 }
 

@@ -25,7 +25,8 @@ impl TextTable {
         Self { lines: once(header).chain(rows.iter().map(line)).collect(), left }
     }
 
-    /// One column for each field, with its name above; `-` for an absent value, and this number of significant digits. The first columns of words are aligned to the left.
+    /// One column a field, below its name. Numbers have `digits` significant digits; `-` is an absent value. The first columns of words are
+    /// aligned to the left.
     pub fn from_rows(rows: &[impl Serialize], digits: usize) -> Self {
         let rows: Vec<_> = rows.iter().map(fields).collect();
         let header = rows.iter().take(1).flatten().map(|(name, _)| name.clone()).collect();

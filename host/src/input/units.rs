@@ -3,8 +3,8 @@
 use crate::excerpt;
 use std::f64::consts::PI;
 
-/// Units of a quantity as (name, m, d): x in such a unit is x m/d in the first unit, which is the key's. The two factors give `"30 g"` the
-/// bits of `0.03`.
+/// Units of a quantity as (name, m, d): x of a unit is x m/d of the key's unit, which is the first. Dividing by d gives `"30 g"` the bits
+/// of `0.03`.
 pub type UnitTable = &'static [(&'static str, f64, f64)];
 
 pub const MASS: UnitTable = &[("kg", 1.0, 1.0), ("g", 1.0, 1e3), ("mg", 1.0, 1e6)];

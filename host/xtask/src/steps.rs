@@ -50,7 +50,7 @@ const ON_HOST: &[Step] = &[
     only_with_all("coverage", &[COVERAGE], checks::coverage),
 ];
 
-/// Steps of the programs for the chips. The last ones wait for builds of the host's.
+/// Steps of the programs for the chips. The last steps need a build of the host.
 const ON_CHIPS: &[Step] = &[
     every_change("bits", &[CHIPS, QEMU], firmware::bits),
     every_change("no-panic", &[CHIPS], firmware::no_panic),

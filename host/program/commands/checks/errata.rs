@@ -17,9 +17,12 @@ pub struct ErrataArgs {
 }
 
 pub fn run(arguments: &ErrataArgs) -> Result<Report, Failure> {
-    let document: Errata = toml::from_str(include_str!("errata.toml")).expect("the file of this program");
-    let errata = &document.errata;
-    Ok(output::render(arguments.format, &document, errata, || table(errata)).into())
+    let document = document();
+    Ok(output::render(arguments.format, &document, &document.errata, || table(&document.errata)).into())
+}
+
+fn document() -> Errata {
+    toml::from_str(include_str!("errata.toml")).expect("the file of this program")
 }
 
 /// Heading, then four lines for each erratum.
@@ -61,4 +64,16 @@ struct Erratum {
 #[derive(Deserialize, Serialize)]
 struct Errata {
     errata: Vec<Erratum>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_has_the_table() {
+        let page = include_str!("../../../../core/closed-forms/docs/errata.md");
+        let table = table(&document().errata);
+        assert!(page.contains(&format!("```text\n{table}```\n")), "the page needs\n{table}");
+    }
 }

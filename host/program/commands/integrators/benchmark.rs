@@ -6,7 +6,6 @@ use crate::arguments::values::{Values, counted_values};
 use crate::terminal::stdout::Report;
 use crate::terminal::table::{Column, TextTable};
 use clap::Args;
-use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 use std::iter::once;
 use toytop_host::Failure;
@@ -38,27 +37,9 @@ pub struct BenchmarkArgs {
 /// Names of the columns. `toytop score` reads the time, the orientation and the rates by these names.
 const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
 
-/// Numbers at one time, by [`COLUMNS`]: texts of 30 digits, or numbers of the ephemeris.
-struct BenchmarkRow(Vec<Value>);
-
-impl Serialize for BenchmarkRow {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(COLUMNS.iter().zip(&self.0))
-    }
-}
-
-/// Problem of the list. The names are the keys of JSON.
-#[derive(Serialize)]
-struct ListedProblem {
-    benchmark: String,
-    title: String,
-    /// Last time, s.
-    seconds: Option<f64>,
-    /// Last time with all its digits.
-    t: String,
-    /// Height of the centre of mass at the last time.
-    height: String,
-    used_by: String,
+/// Values at one time by [`COLUMNS`]: texts of 30 digits, or numbers of the ephemeris.
+fn row<T: Into<Value>>(values: impl Iterator<Item = T>) -> Value {
+    COLUMNS.into_iter().zip(values.map(T::into)).collect()
 }
 
 pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
@@ -81,13 +62,9 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     });
     let table = || {
         let mut lines = Vec::new();
-        for BenchmarkRow(numbers) in &rows {
-            let named = COLUMNS.into_iter().zip(numbers).skip(1);
-            lines.extend(
-                named.map(
-                    |(quantity, value)| json!({ "t": numbers[0], "quantity": quantity, "value": value }),
-                ),
-            );
+        for row in &rows {
+            let line = |name| json!({ "t": row["t"], "quantity": name, "value": row[name] });
+            lines.extend(COLUMNS.into_iter().skip(1).map(line));
         }
         format!(
             "{}\n{}\n\nThe third fixed axis points up, body axis {} from the tip to the centre of mass. x_com, y_com, z_com: of the\n\
@@ -104,48 +81,47 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
 
 /// List of all problems, each with the height of the centre of mass at its last time.
 fn list_problems(format: Format) -> Result<Report, Failure> {
+    let problems = problem_files::all();
     let listed = |Problem { scenario, about, samples, .. }: &Problem| {
         let ReferenceSample { t, position: [_, _, height], .. } = samples.last()?;
-        Some(ListedProblem {
-            benchmark: scenario.name.clone(),
-            title: about.title.clone(),
-            seconds: t.parse().ok(),
-            t: t.clone(),
-            height: height.clone(),
-            used_by: about.used_by.join("; "),
-        })
+        Some(json!({
+            "benchmark": scenario.name,
+            "title": about.title,
+            "seconds": t.parse::<f64>().ok(),
+            "t": t,
+            "height": height,
+            "used_by": about.used_by.join("; "),
+        }))
     };
-    let rows: Vec<_> = problem_files::all().iter().filter_map(listed).collect();
+    let rows: Vec<_> = problems.iter().filter_map(listed).collect();
     let table = || {
-        let columns: [Column<ListedProblem>; 2] =
-            [("", |problem| problem.benchmark.clone()), ("", |problem| problem.title.clone())];
-        TextTable::new(2, &columns, &rows).aligned()
+        let columns: [Column<Problem>; 2] =
+            [("", |problem| problem.scenario.name.clone()), ("", |problem| problem.about.title.clone())];
+        TextTable::new(2, &columns, &problems).aligned()
             + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
     };
     Ok(output::render(format, &json!({ "problems": rows }), &rows, table).into())
 }
 
 /// Values of a sample with 30 digits.
-fn reference_row(sample: &ReferenceSample) -> BenchmarkRow {
+fn reference_row(sample: &ReferenceSample) -> Value {
     let ReferenceSample { t, position, quaternion, omega_body } = sample;
-    let texts = once(t).chain(position).chain(quaternion).chain(omega_body);
-    BenchmarkRow(texts.map(|text| Value::from(&**text)).collect())
+    row(once(t).chain(position).chain(quaternion).chain(omega_body).map(String::as_str))
 }
 
 /// Values of the ephemeris at any times, with 17 digits.
-fn computed_rows(problem: &Problem, times: &Values) -> Result<Vec<BenchmarkRow>, Failure> {
+fn computed_rows(problem: &Problem, times: &Values) -> Result<Vec<Value>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::new("--times".to_owned(), times)?;
     let ephemeris = MotionEphemeris::new(&scenario.motion, Scalar::F64)
         .map_err(|failure| failure.with_context(&scenario.name))?;
     times.require_within(ephemeris.furthest_time(), "")?;
-    let row = |t: &f64| {
+    let computed = |t: &f64| {
         let sample = ephemeris.at(*t);
         let orientation = sample.pose.orientation.compose(&about.body_axes());
         let position = sample.pose.orientation.axis().map(|x| about.length * x);
         let omega_body = orientation.inverse().adjoint(sample.rates.omega);
-        let numbers = once(*t).chain(position).chain(orientation.quaternion()).chain(omega_body);
-        BenchmarkRow(numbers.map(Value::from).collect())
+        row(once(*t).chain(position).chain(orientation.quaternion()).chain(omega_body))
     };
-    Ok(times.seconds.iter().map(row).collect())
+    Ok(times.seconds.iter().map(computed).collect())
 }

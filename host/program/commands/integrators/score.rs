@@ -118,7 +118,10 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
         }
     };
     if !steps.is_empty() && steps.len() != results.len() {
-        return Err(Failure::Input(format!("--steps: must be {} numbers, one for each file", results.len())));
+        return Err(Failure::Input(format!(
+            "--steps: needs one number for each file, {} in all",
+            results.len()
+        )));
     }
     let reference =
         Scorer::new(&scenario.motion, &start).map_err(|failure| failure.with_context(&scenario.name))?;

@@ -132,9 +132,9 @@ fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
         .chain(["error / bound", "ns", "verdict"].map(str::to_owned));
     let lines = once(header.collect()).chain(motions.iter().map(line)).collect();
     format!(
-        "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods: greatest error of\n\
-         the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad, by stepper and ephemeris, and its share\n\
-         of its bound. ns: a look-up, median of five parts. Steps a period: {} (f64), {} (f32). More: CSV.\n",
+        "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods.\n\
+         Columns: greatest error of the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad. error / bound:\n\
+         greatest ratio. ns: look-up, median of five parts. Steps a period: {} (f64), {} (f32). More: CSV.\n",
         TextTable { lines, left: 1 }.aligned(),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),

@@ -53,7 +53,7 @@ pub struct StateArgs {
     /// Scalar type of the core
     #[arg(long, default_value = "f64")]
     scalar: Scalar,
-    /// Steps in a nutation period, for --method stepper; by default 4096. A motion without a period uses 2 pi sqrt((A/p + s)/g)
+    /// Steps in a nutation period, for --method stepper; by default 4096. Without a period: in 2 pi sqrt((A/p + s)/g)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     steps_per_period: Option<u32>,
     /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; by default 1000

@@ -60,7 +60,7 @@ pub struct SweepArgs {
     /// Nutation periods over which these times are spread. Without a period, 2 pi sqrt((A/p + s)/g) takes its place
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = number(LEAST_POSITIVE..=1e9), allow_hyphen_values = true)]
     periods: f64,
-    /// Every N-th motion from the I-th; only part 1 has the header, so that cat joins the parts
+    /// Part I of N: motions I, I+N, I+2N, ... Only part 1 has a header, so that cat joins the parts
     #[arg(long, value_name = "I/N", default_value = "1/1", value_parser = part)]
     part: [u64; 2],
 }

@@ -77,7 +77,7 @@ impl MotionSource for ClosedFormSource {
         MotionSample { error_bound: Some(error), ..sample }
     }
 
-    /// Events while the axis is not upright to a rounding: places at which the integer part of a function of time changes.
+    /// Events while the axis is not upright to a rounding: roots of a function of time minus a whole number, in 2 [`INTERVALS`] parts.
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         let value = |t: f64| match condition {
             Condition::Turning => self.motion.form.v(t).clamp(-0.5, 0.5),

@@ -8,8 +8,6 @@ fn the_table_has_four_lines_an_erratum() {
     let table = toytop("errata").ok();
     assert_eq!((table.lines().count(), table.split_whitespace().next()), (1 + 4 * 18, Some("residual")));
     assert!(table.lines().all(|line| line.chars().count() <= 120));
-    let page = read(&repository("core/closed-forms/docs/errata.md"));
-    assert!(page.contains(&format!("```text\n{table}```\n")), "the page needs\n{table}");
 }
 
 #[test]

@@ -46,7 +46,7 @@ fn wrong_arguments_are_refused() {
             ("--times-file @toy_top", "toy_top.toml ... line 3 ... finite number"),
             ("--times-file far.txt", "error: --times-file: far.txt: 1e300 must be within ±"),
             ("--times-file no_times.txt", "no_times ... at least one"),
-            ("--times-file /dev/zero", "64 MiB"),
+            ("--times-file /dev/zero", "256 MiB"),
             ("--ticks 1..0", "--ticks: 1..0: must be N1,N2,... or FIRST..LAST"),
             ("--ticks 1 --hertz 0/1", "--hertz"),
             ("--times 1 --hertz 5", "'--times <T1,T2,...>' cannot be used with '--hertz <N>'"),

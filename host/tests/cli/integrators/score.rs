@@ -212,7 +212,7 @@ fn wrong_files_are_refused() {
             ("", "RESULT.csv"),
             ("no_such.csv", "no_such.csv: "),
             ("score_far.csv", "score_far.csv: t: 1e300 must be within ±"),
-            ("score_good.csv --steps 0.1,0.2", "--steps: must be 1 numbers, one for each file"),
+            ("score_good.csv --steps 0.1,0.2", "--steps: needs one number for each file, 1 in all"),
             ("score_good.csv --steps -1", "--steps"),
             ("score_good.csv --plot work.jpg", "'work.jpg' for '--plot <FILE>': must end in"),
             ("score_uneven.csv --plot score_refused/a.svg", "# evaluations = N in every file, or --steps"),

@@ -144,4 +144,30 @@ mod tests {
             assert!(page.contains(&part), "{name}: toytop budget --accept writes it anew:\n{text}");
         }
     }
+
+    /// Figures outside of the front page's table are those of the pages that it links.
+    #[test]
+    fn the_front_page_repeats_figures_of_the_tables() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let [front, costs, accuracy] = [FRONT_PAGE, COSTS, "host/docs/accuracy.md"]
+            .map(|page| std::fs::read_to_string(root.join(page)).expect("a page"));
+        let cell = |page: &str, row: &str, column: usize| {
+            let cells = page.lines().find_map(|line| line.strip_prefix(row)).expect(row);
+            cells.split('|').nth(column).expect("a cell").replace(' ', "")
+        };
+        let [f64, f32, q31] = ["| f64 |", "| f32 |", "| q31 |"].map(|row| cell(&accuracy, row, 0));
+        let millions =
+            |column| cell(&costs, "| m4f | f32 | ready |", column).parse::<f64>().expect("cycles") / 1e6;
+        let refused = cell(&costs, "| m4f | f32 | refused |", 0);
+        for figures in [
+            format!("{f64} rad in `f64`, {f32} in `f32`, {q31} in 32-bit fixed point"),
+            format!(
+                "median {:.2} million cycles, at most {:.1} million; {refused} refused",
+                millions(1),
+                millions(2)
+            ),
+        ] {
+            assert!(front.contains(&figures), "{figures}");
+        }
+    }
 }

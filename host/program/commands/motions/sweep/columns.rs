@@ -26,8 +26,11 @@ pub enum SweepColumn {
 /// Column of a motion's ephemerides: its name and its value; null where there is no ephemeris.
 type EphemerisColumn = (&'static str, fn(&RowMotion) -> Option<Value>);
 
-/// Columns of the ephemerides: greatest error of the f32 ephemeris against the f64 ephemeris, rad; bound that the f32 ephemeris states at t = 0,
-/// rad (its part per tick is negligible below millions of periods); number of segments of the f32 ephemeris.
+/// Columns of the ephemerides:
+///
+/// * greatest difference of the orientation between the ephemerides in `f32` and in `f64`, rad
+/// * bound on the error of the ephemeris in `f32` at t = 0, rad; its growth is negligible below millions of periods
+/// * number of segments of the ephemeris in `f32`
 const EPHEMERIS_COLUMNS: [EphemerisColumn; 3] = [
     ("error_f32", |motion| motion.error_f32().map(Value::from)),
     ("bound_f32", |motion| Some(motion.f32_ephemeris()?.error_bound.constant.into())),
