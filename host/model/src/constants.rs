@@ -1,10 +1,9 @@
 //! Constants of a motion by name, with their meanings, and words for its regime and its tip curve.
 
-use crate::equations::cross;
-use crate::timed_motion::{TimedMotion, at_start, natural_time};
-use core::array::from_fn;
+use crate::start::{axis_at_start, momentum};
+use crate::timed_motion::{TimedMotion, natural_time};
 use core::f64::consts::PI;
-use toytop::scalar::{Float, Real, Ring};
+use toytop::scalar::{Float, Real};
 use toytop::{Level, Motion, Regime, TipClass};
 
 /// Constant of a motion.
@@ -222,32 +221,6 @@ fn critical_spin(motion: &Motion) -> f64 {
     let momentum = 2.0 * Float::sqrt(top.transverse_inertia() * top.mass_moment() * top.gravity())
         - top.rotor_momentum();
     momentum / top.axial_inertia() / (2.0 * PI)
-}
-
-/// Tilt and azimuth of the axis at t = 0, rad, and their rates, rad/s. Where the axis is vertical, the azimuth rate is 0, and the tilt rate
-/// is the speed at which the axis leaves the vertical.
-fn axis_at_start(motion: &Motion) -> [f64; 4] {
-    let state = at_start(motion);
-    let (axis, u) = (state.orientation.axis(), state.orientation.u().clamp(-1.0, 1.0));
-    let ([x, y, _], [rx, ry, rz]) = (axis, cross(state.omega(), axis));
-    let level = Float::sqrt(x * x + y * y);
-    let [precession, nutation] = if level > 0.0 {
-        [(x * ry - y * rx) / level.squared(), (x * rx + y * ry) / level * u - rz * level]
-    } else {
-        [0.0, Float::sqrt(rx * rx + ry * ry)]
-    };
-    [Real::atan2(level, u), Real::atan2(y, x), precession, nutation]
-}
-
-/// Angular momentum m = A r × r' + n r of a body on which no torque acts, kg m²/s; NaN where one does.
-fn momentum(motion: &Motion) -> [f64; 3] {
-    if !motion.top().is_torque_free() {
-        return [f64::NAN; 3];
-    }
-    let state = at_start(motion);
-    let (r, n) = (state.orientation.axis(), motion.first_integrals().n);
-    let swing = cross(r, cross(state.omega(), r));
-    from_fn(|i| motion.top().transverse_inertia() * swing[i] + n * r[i])
 }
 
 /// Word for a regime: `nutating`, `regular_precession`, ...

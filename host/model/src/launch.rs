@@ -73,3 +73,66 @@ impl Launch {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parameters::{self, tilt_from_degrees, top_parameters};
+    use core::f64::consts::PI;
+    use toytop::Support;
+
+    /// The toy top of the README: A, C, s, M, p, g, K.
+    const TOY_TOP: [f64; 7] = [3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0];
+    /// Tilt, spin, precession, nutation, azimuth, roll.
+    const THROW: [f64; 8] = [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0];
+
+    fn top(support: Support, numbers: [f64; 7]) -> Top {
+        parameters::top(support, &top_parameters(numbers)).unwrap()
+    }
+
+    fn launched(top: &Top, kind: &str, numbers: [f64; 8]) -> Motion {
+        Launch::new(kind, numbers).unwrap().motion(top).unwrap()
+    }
+
+    #[test]
+    fn numbers_make_the_motion_that_names_make() {
+        let top = top(Support::Sliding, TOY_TOP);
+        assert_eq!([top.transverse_inertia(), top.axial_inertia(), top.com_height()], [3.0e-5, 2.0e-5, 0.03]);
+        assert_eq!((top.mass_moment(), top.gravity()), (0.05 * 0.03, 9.81));
+        let held = self::top(Support::Fixed, [7.5e-5, 2.0e-5, 0.0, 0.0, 0.0015, 9.81, 0.25]);
+        assert_eq!((held.mass_moment(), held.rotor_momentum()), (0.0015, 0.25));
+        let release = Release {
+            tilt: 20_f64.to_radians(),
+            spin: 150.0,
+            precession: 4.0,
+            nutation: -3.0,
+            azimuth: 50_f64.to_radians(),
+            roll: 70_f64.to_radians(),
+        };
+        let state = State::from_release(&release).unwrap();
+        assert_eq!(launched(&top, "release", THROW), Motion::launch(&top, &state).unwrap());
+        let ([alpha, beta], omega) = ([state.orientation().alpha, state.orientation().beta], state.omega());
+        let numbers = [alpha.re, alpha.im, beta.re, beta.im, omega[0], omega[1], omega[2], 0.0];
+        assert_eq!(launched(&top, "state", numbers), launched(&top, "release", THROW));
+        let of_roots = launched(&top, "branch_points", [0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]);
+        let (e, integrals) = (of_roots.branch_points(), of_roots.first_integrals());
+        assert_eq!([e.e1, e.e2, e.e3], [0.5, 0.75, 2.0]);
+        assert!(integrals.l.abs() < integrals.n.abs());
+    }
+
+    #[test]
+    fn what_is_no_motion_is_refused_by_its_name() {
+        let top = top(Support::Sliding, TOY_TOP);
+        let refused = |i: usize, x: f64| {
+            let mut numbers = THROW;
+            numbers[i] = x;
+            Launch::new("release", numbers).and_then(|launch| launch.motion(&top)).unwrap_err().parameter()
+        };
+        assert_eq!(
+            [refused(0, 180.1), refused(0, -1.0), refused(1, f64::NAN), refused(2, 1e12)],
+            ["tilt", "tilt", "spin", "precession"]
+        );
+        assert_eq!(tilt_from_degrees(180.0), PI);
+        assert!(tilt_from_degrees(180_f64.next_down()) < PI);
+    }
+}

@@ -5,6 +5,7 @@
 //! | [`parameters`] | supports by name, top and release from the numbers of a scenario |
 //! | [`launch`] | launch of a motion from the numbers of a scenario |
 //! | [`equations`] | full 3-D equations of motion |
+//! | `start` | axis and angular momentum at t = 0 |
 //! | [`timed_motion`] | motion whose period is integrated once, and the ticks of its table |
 //! | [`constants`] | constants of a motion by name, with their meanings |
 //! | [`aperiodic`] | aperiodic motion, which has no table, by its closed form |
@@ -20,4 +21,5 @@ pub mod display_duration;
 pub mod equations;
 pub mod launch;
 pub mod parameters;
+mod start;
 pub mod timed_motion;

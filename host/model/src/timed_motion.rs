@@ -1,10 +1,11 @@
 //! Motion whose period is integrated once, and the ticks of its table.
 
 use crate::equations::dot;
+use crate::start::at_start;
 use core::f64::consts::PI;
 use core::ops::Deref;
 use toytop::scalar::Float;
-use toytop::{AttitudeState, Motion, PeriodAdvance, Regime, Stepper, Tick};
+use toytop::{Motion, PeriodAdvance, Regime, Tick};
 
 /// Greatest number of ticks from t = 0 at which a table is evaluated. They are counted in 64 bits.
 pub const MAX_TICKS: f64 = (1_u64 << 62) as f64;
@@ -103,9 +104,4 @@ pub(crate) fn natural_time(motion: &TimedMotion) -> f64 {
     }
     let length = top.transverse_inertia() / top.mass_moment() + top.com_height();
     2.0 * PI * Float::sqrt(length / top.gravity())
-}
-
-/// Orientation and angular velocity at t = 0.
-pub(crate) fn at_start(motion: &Motion) -> AttitudeState<f64> {
-    Stepper::new(motion).attitude_state()
 }
