@@ -49,7 +49,7 @@ pub fn number_constants() -> impl Iterator<Item = (&'static str, NumberOf)> {
         Value::Number(value) => Some((constant.name, value)),
         Value::Word(_) => None,
     });
-    numbers.chain(TOP_AND_START)
+    numbers.chain(NUMBERS_AT_START)
 }
 
 /// Constants of a motion, as `toytop constants` prints them.
@@ -168,7 +168,7 @@ pub static CONSTANTS: [Constant; 28] = [
 ];
 
 /// Numbers of the top and of the motion at t = 0.
-static TOP_AND_START: [(&str, NumberOf); 20] = [
+static NUMBERS_AT_START: [(&str, NumberOf); 20] = [
     // 0 sliding, 1 fixed, 2 free
     ("support", |motion| f64::from(motion.top().support() as u8)),
     ("A", |motion| motion.top().transverse_inertia()),

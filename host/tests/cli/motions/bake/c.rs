@@ -14,7 +14,7 @@ fn table(case: &Case) -> String {
 }
 
 /// Installed compilers of these names.
-fn there(names: &[&'static str]) -> Vec<&'static str> {
+fn installed(names: &[&'static str]) -> Vec<&'static str> {
     let works = |name: &&str| {
         Command::new(name).arg("--version").output().is_ok_and(|output| output.status.success())
     };
@@ -25,7 +25,7 @@ const WARNINGS: [&str; 6] = ["-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "
 
 /// Flags with which a compiler fuses products and sums unless the source prevents it; on a machine without fused multiply-add they have
 /// little effect.
-fn fusing() -> Vec<&'static str> {
+fn flags_with_fused_products() -> Vec<&'static str> {
     let mut flags = vec!["-O3", "-ffp-contract=fast"];
     #[cfg(target_arch = "x86_64")]
     if std::is_x86_feature_detected!("fma") && std::is_x86_feature_detected!("avx2") {
@@ -35,21 +35,21 @@ fn fusing() -> Vec<&'static str> {
 }
 
 /// Installed C compilers with fused products.
-fn fusing_builds() -> Vec<(&'static str, Vec<&'static str>)> {
-    let compilers = there(&["gcc", "clang"]);
+fn builds_with_fused_products() -> Vec<(&'static str, Vec<&'static str>)> {
+    let compilers = installed(&["gcc", "clang"]);
     assert!(!compilers.is_empty(), "no C compiler");
-    compilers.into_iter().map(|compiler| (compiler, fusing())).collect()
+    compilers.into_iter().map(|compiler| (compiler, flags_with_fused_products())).collect()
 }
 
 /// Installed compilers of C and C++ with each standard and all warnings.
-fn standard_builds() -> Vec<(&'static str, Vec<&'static str>)> {
+fn builds_by_standard() -> Vec<(&'static str, Vec<&'static str>)> {
     let languages = [
         (["gcc", "clang"], "c", ["-std=c99", "-std=c11", "-std=c17"]),
         (["g++", "clang++"], "c++", ["-std=c++11", "-std=c++14", "-std=c++17"]),
     ];
     let mut builds = Vec::new();
     for (names, language, standards) in languages {
-        for compiler in there(&names) {
+        for compiler in installed(&names) {
             let flags = |standard| [vec!["-x", language, standard, "-O1"], WARNINGS.to_vec()].concat();
             builds.extend(standards.map(|standard| (compiler, flags(standard))));
         }
@@ -159,9 +159,9 @@ fn c_gives_the_same_bits() {
     for case in &cases {
         bake(case, "c", &format!("bake_c/{}.h", table(case)));
     }
-    let builds = [standard_builds(), fusing_builds()].concat();
+    let builds = [builds_by_standard(), builds_with_fused_products()].concat();
     let outputs = printed(&whole, &program(&cases), &builds);
-    assert_lines(&outputs[0], &cases, |case| case.truth().ticks);
+    assert_lines(&outputs[0], &cases, |case| case.expected().lines);
     for (index, output) in outputs.iter().enumerate() {
         assert!(*output == outputs[0], "build {index} has other bits: {builds:?}");
     }

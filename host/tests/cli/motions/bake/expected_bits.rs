@@ -15,15 +15,15 @@ pub(crate) struct Case {
     pub(crate) scalar: &'static str,
     pub(crate) size: usize,
     tick: [u32; 2],
-    truth: fn(&str, [u32; 2]) -> Truth,
+    expected: fn(&str, [u32; 2]) -> Expected,
 }
 
 /// Table of a case by the crate.
-pub(crate) struct Truth {
+pub(crate) struct Expected {
     /// All fields of the table.
     pub(crate) table: String,
     /// Bits of its numbers, a line for each tick: samples, then quaternions, angular velocities and turning points.
-    pub(crate) ticks: String,
+    pub(crate) lines: String,
 }
 
 impl Case {
@@ -33,13 +33,13 @@ impl Case {
         format!("{file} --scalar {scalar} --segments {size} --hertz {hertz}/{per}")
     }
 
-    pub(crate) fn truth(&self) -> Truth {
-        (self.truth)(&self.file, self.tick)
+    pub(crate) fn expected(&self) -> Expected {
+        (self.expected)(&self.file, self.tick)
     }
 }
 
 fn case<R: Printed, const S: usize>(file: String, tick: [u32; 2]) -> Case {
-    Case { file, scalar: R::NAME, size: S, tick, truth: truth::<R, S> }
+    Case { file, scalar: R::NAME, size: S, tick, expected: expected::<R, S> }
 }
 
 /// Cases of nutating, steady and vertical motions, and motions near the separatrix, with sliding and fixed tips.
@@ -98,7 +98,7 @@ fn next_tick(state: &mut u64, k: u32) -> i64 {
 /// Number of ticks of quaternions, angular velocities and turning points.
 pub(crate) const RATES: u32 = 500;
 
-fn truth<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> Truth {
+fn expected<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> Expected {
     let motion = Scenario::read(Path::new(file)).expect("a scenario").motion;
     let tick = Tick::ratio(ticks, seconds).expect("a tick");
     let table: Box<SizedTable<R, S>> = Box::new(SizedTable::new(&motion, tick).expect("it fits"));
@@ -131,7 +131,7 @@ fn truth<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) -> 
         };
         writeln!(lines, "{}{turning}", bits(quaternion.into_iter().chain(omega))).expect("memory");
     }
-    Truth { table: format!("{table:?}"), ticks: lines }
+    Expected { table: format!("{table:?}"), lines }
 }
 
 /// Bits of numbers, with a space after each.

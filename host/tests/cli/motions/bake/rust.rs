@@ -47,7 +47,7 @@ fn rust_gives_the_same_table_and_a_changed_number_does_not_compile() {
         cargo.env("CARGO_PROFILE_DEV_DEBUG", "0").env("CARGO_INCREMENTAL", "0");
         finished(&mut cargo)
     };
-    assert_lines(&cargo("run").ok(), &cases, |case| case.truth().table);
+    assert_lines(&cargo("run").ok(), &cases, |case| case.expected().table);
 
     let text = read("bake_rust/src/toy_top.rs");
     let (head, rows) = text.split_once("segments: [").expect("the table");
