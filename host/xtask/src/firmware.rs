@@ -9,7 +9,7 @@ use std::time::Duration;
 use anyhow::{Context, Result, bail};
 use toytop_chips::chip::{self, Chip, REPEATABLE};
 
-use crate::process::{cargo, firmware_target_dir, locked, root, run, run_within};
+use crate::process::{cargo, firmware_target_dir, locked, named, root, run, run_within};
 use crate::tools::{self, QEMU};
 
 /// Program of firmware-examples with the folder of its source and its chips, of which the first is the default.
@@ -40,12 +40,9 @@ const PROGRAMS: &[Program] = &[
     Program { name: "rtic", folder: "rtic/src", chips: &[&chip::M4F] },
     program(PANICS, &[&chip::M0, &chip::RISCV]),
 ];
+
 fn chip_named(name: &str) -> Result<&'static Chip> {
-    let names = || Chip::ALL.map(|chip| chip.name).join(" ");
-    Chip::ALL
-        .iter()
-        .find(|chip| chip.name == name)
-        .with_context(|| format!("no chip {name}; there are: {}", names()))
+    named("chip", name, Chip::ALL.iter(), |chip| chip.name)
 }
 
 /// Program that also runs on the host, with the same log.
@@ -64,9 +61,7 @@ struct Run {
 
 impl Program {
     fn named(name: &str) -> Result<&'static Self> {
-        let names = || PROGRAMS.iter().map(|program| program.name).collect::<Vec<_>>().join(" ");
-        let program = PROGRAMS.iter().find(|program| program.name == name);
-        program.with_context(|| format!("no program {name}; there are: {}", names()))
+        named("program", name, PROGRAMS.iter(), |program| program.name)
     }
 
     /// Arguments of cargo that select the program.

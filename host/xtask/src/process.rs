@@ -3,10 +3,11 @@
 use std::io::{Read, pipe};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 use std::{env, thread};
 
 use anyhow::{Context, Result, bail};
+use wait_timeout::ChildExt;
 
 /// Root of the repository, from the environment of `cargo run`, because the folder may have been renamed after the binary was built.
 pub(crate) fn root() -> PathBuf {
@@ -44,6 +45,18 @@ pub(crate) fn cargo(folder: &str, words: &str) -> Command {
     command(folder, &format!("cargo {own} {}{passed_on}", locked().unwrap_or_default()))
 }
 
+/// Entry of a list by its name; the error lists all names.
+pub(crate) fn named<'a, T>(
+    what: &str,
+    name: &str,
+    entries: impl Iterator<Item = &'a T> + Clone,
+    name_of: fn(&T) -> &'static str,
+) -> Result<&'a T> {
+    entries.clone().find(|entry| name_of(entry) == name).with_context(|| {
+        format!("no {what} {name}; there are: {}", entries.map(name_of).collect::<Vec<_>>().join(" "))
+    })
+}
+
 /// Command as text.
 fn typed(command: &Command) -> String {
     let words = std::iter::once(command.get_program()).chain(command.get_args());
@@ -67,17 +80,10 @@ pub(crate) fn run_within(command: &mut Command, limit: Duration) -> Result<Ended
         let mut bytes = Vec::new();
         reader.read_to_end(&mut bytes).map(|_| String::from_utf8_lossy(&bytes).into_owned())
     });
-    let start = Instant::now();
-    let status = loop {
-        if let Some(status) = child.try_wait()? {
-            break status;
-        }
-        if start.elapsed() > limit {
-            child.kill()?;
-            child.wait()?;
-            bail!("{name}: not done after {} s", limit.as_secs());
-        }
-        thread::sleep(Duration::from_millis(5));
+    let Some(status) = child.wait_timeout(limit)? else {
+        child.kill()?;
+        child.wait()?;
+        bail!("{name}: not done after {} s", limit.as_secs());
     };
     let output = collector.join().expect("the collector does not panic")?;
     Ok(Ended { success: status.success(), output })

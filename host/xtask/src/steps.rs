@@ -6,8 +6,9 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Instant;
 
-use anyhow::{Context, Result};
+use anyhow::Result;
 
+use crate::process::named;
 use crate::tools::{C, CHIPS, CHROMIUM, COVERAGE, FUZZER, HACK, LINTS, PAGE, PYTHON, QEMU, TYPESCRIPT, Tool};
 use crate::{c, checks, firmware, python, size};
 
@@ -109,9 +110,7 @@ pub(crate) fn list() {
 
 /// Runs one step.
 pub(crate) fn run_one(name: &str) -> Result<ExitCode> {
-    let names = || ON_HOST.iter().chain(ON_CHIPS).map(|step| step.name).collect::<Vec<_>>().join(" ");
-    let step = ON_HOST.iter().chain(ON_CHIPS).find(|step| step.name == name);
-    let step = step.with_context(|| format!("no step {name}; there are: {}", names()))?;
+    let step = named("step", name, ON_HOST.iter().chain(ON_CHIPS), |step| step.name)?;
     run(|other| other.name == step.name)
 }
 
