@@ -3,11 +3,11 @@
 use crate::equations::cross;
 use core::array::from_fn;
 use toytop::scalar::{Float, Real, Ring};
-use toytop::{AttitudeState, Motion, Stepper};
+use toytop::{AttitudeState, Motion};
 
 /// Orientation and angular velocity at t = 0.
 pub(crate) fn at_start(motion: &Motion) -> AttitudeState<f64> {
-    Stepper::new(motion).attitude_state()
+    motion.attitude_at_launch()
 }
 
 /// Tilt and azimuth of the axis at t = 0, rad, and their rates, rad/s. Where the axis is vertical, the azimuth rate is 0, and the tilt rate

@@ -1,6 +1,6 @@
 //! Classical Runge-Kutta method in equal steps, for comparison with the exact motion.
 
-use toytop::{Complex, Motion, Orientation, Stepper};
+use toytop::{Complex, Motion, Orientation};
 use toytop_model::equations::{Equations, FullState, Vector7};
 
 /// Integration of the full equations from t = 0, forwards or backwards.
@@ -23,7 +23,7 @@ pub const MAX_STEPS: u32 = 40_000;
 impl RungeKutta {
     /// Integration of a motion, at t = 0.
     pub fn new(motion: &Motion, step: f64) -> Self {
-        let (top, state) = (motion.top(), Stepper::<f64>::new(motion).attitude_state());
+        let (top, state) = (motion.top(), motion.attitude_at_launch());
         let full = FullState::new(&state.orientation, state.omega());
         let equations = Equations::new(top, &full);
         let start = equations.vector(&full);

@@ -18,7 +18,7 @@ use compensation::{normalise_orientation, two_sum};
 use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
 use differential_equations::status::Status;
-use toytop::{Stepper, Top};
+use toytop::Top;
 pub use toytop_model::equations::{Equations, FullState};
 use toytop_model::equations::{Vector7, dot};
 
@@ -177,12 +177,12 @@ impl FullSolver {
     }
 }
 
-/// State of a scenario at t = 0: that of the launch without change, or for branch points that of the core's stepper.
+/// State of a scenario at t = 0: that of the launch without change, or for branch points that of the core.
 pub fn initial_state(scenario: &Scenario) -> FullState {
     match scenario.input.launch {
         Launch::State { orientation, omega } => FullState::new(&orientation, omega),
         Launch::BranchPoints { .. } => {
-            let state = Stepper::<f64>::new(&scenario.motion).attitude_state();
+            let state = scenario.motion.attitude_at_launch();
             FullState::new(&state.orientation, state.omega())
         }
     }

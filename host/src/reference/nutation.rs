@@ -33,7 +33,7 @@ pub struct NutationConstants {
     pub s: Float640,
     pub g: Float640,
     pub a_over_p: Float640,
-    /// Linear factors 1 + u, 1 - u and e₃ - u at the ends of a nutation, each at u = e₁ and at u = e₂. Without torque e₃ - u stands for 1.
+    /// Linear factors 1 + u, 1 - u and e₃ - u at the ends of a nutation, each at u = e₁ and at u = e₂. Without torque the last factor is 1.
     pub factors_at_ends: [[Float640; 2]; 3],
     /// Rates (l ± n)/(2A).
     pub momentum_rates: [Float640; 2],

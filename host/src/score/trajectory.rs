@@ -65,8 +65,9 @@ impl Trajectory {
         // a byte order mark would hide the first comment
         let text = text.trim_start_matches('\u{feff}');
         let stated = |key: &str| {
-            let mut comments = text.lines().map_while(|line| line.strip_prefix('#')?.split_once('='));
-            comments.find(|(own, _)| own.trim() == key).map(|(_, value)| value.trim())
+            let comments = text.lines().map_while(|line| line.strip_prefix('#'));
+            let mut stated = comments.filter_map(|comment| comment.split_once('='));
+            stated.find(|(own, _)| own.trim() == key).map(|(_, value)| value.trim())
         };
         let positive = |key: &str| {
             let number = |text| {
@@ -214,7 +215,7 @@ mod tests {
             format!("t,w,x,y,z,wx,wy,wz\n1,{w},{x},{y},{z},{wx},{wy},{wz}\n"),
             format!("t,w,x,y,z,omega_body_x,omega_body_y,omega_body_z\n1,{w},{x},{y},{z},{wx},{wy},{wz}\n"),
             format!(
-                "# step = 0.25\nomega_x,t [s],alpha_re,alpha_im, beta_re,beta_im,omega_y,omega_z (rad/s)\n\
+                "# made by a script\n# step = 0.25\nomega_x,t [s],alpha_re,alpha_im, beta_re,beta_im,omega_y,omega_z (rad/s)\n\
                  {ox},1,{},{},{},{},{oy},{oz}\n",
                 a.re, a.im, b.re, b.im
             ),

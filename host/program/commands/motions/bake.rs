@@ -40,7 +40,7 @@ pub struct BakeArgs {
     /// Language of the table
     #[arg(long, default_value = "rust")]
     lang: Language,
-    /// Segments: 8, 16, 32, ... 4096, or the default: 25 in f32, 48 in f64, 32 in q31, 16 in q15, more if the motion needs them
+    /// Segments: 25, 48 or a power of two from 8 to 4096; the default is 25 in f32, 48 in f64, 32 in q31, 16 in q15, more if the motion needs them
     #[arg(long, value_name = "N")]
     segments: Option<u32>,
     /// Ticks in a second: N, or A/B for A ticks in B seconds

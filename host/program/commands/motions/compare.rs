@@ -114,7 +114,7 @@ fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
     let prefix = |row: &Comparison<'_>| if row.steps.is_some() { "step " } else { "" };
     let line = |rows: &Vec<Comparison<'_>>| {
         let greatest = |value: fn(&Comparison<'_>) -> Option<f64>| {
-            significant(rows.iter().filter_map(value).fold(0.0, f64::max), 1)
+            or_dash(rows.iter().filter_map(value).reduce(f64::max), |x| significant(x, 1))
         };
         let errors = rows.iter().map(|row| or_dash(row.max_orientation_error_rad, |x| significant(x, 1)));
         let worst: &str = rows.iter().map(|row| row.verdict).max().unwrap_or_default().into();

@@ -68,6 +68,8 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let FitArgs { samples, top, sensors, free, huber, drift, output, .. } = arguments;
     let inputs = [Some(&**samples), Some(&**top), sensors.as_deref()];
     whole_file::require_other("--output", output.as_deref(), &inputs)?;
+    let others = [inputs.as_slice(), &[output.as_deref()]].concat();
+    whole_file::require_other("--plot-residuals", arguments.plot_residuals.as_deref(), &others)?;
     let scenario = ScenarioFile::read(top)?;
     let (top, parameters) = scenario.top()?;
     let all = sensors.is_some();
@@ -79,6 +81,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let fit = fit_launch(input, &measurements).map_err(|(parameter, reason)| {
         Failure::Input(match parameter {
             "samples" => format!("{samples}: {reason}"),
+            "huber" | "drift" => format!("--{parameter}: {reason}"),
             _ => format!("--{parameter}: {reason} ({})", scenario.file),
         })
     })?;

@@ -31,7 +31,7 @@ fn is_written_as_a_whole(line: &str, to: &str) {
     toytop(line).ok();
     let (whole, new) = (started.elapsed(), read(to));
     let mut kills = 0;
-    for part in 0..24 {
+    for part in 1..=24 {
         write(to, "old");
         kills += u32::from(killed(line, whole * part / 16, || {
             let left = read(to);
