@@ -123,7 +123,7 @@ impl<R: Real> Stepper<R> {
         self.ellipses.attitude_state(cis_chi, self.slow_phases, self.rates(cis_chi))
     }
 
-    /// Tip position c = 2 s αβ, m, from the point below the centre of mass; 2αβ for a fixed tip.
+    /// Tip position c = 2 s αβ, m, from the point below the centre of mass; 2αβ for another support.
     #[must_use]
     pub fn tip(&self) -> Complex<R> {
         self.orientation().tip_over_s().scaled(self.tip_scale)

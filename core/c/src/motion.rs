@@ -36,7 +36,7 @@ pub enum toytop_regime {
     TOYTOP_SLEEPING_UNSTABLE = 4,
     /// The centre of mass is straight below the tip.
     TOYTOP_HANGING = 5,
-    /// The axis rises to the vertical in infinite time.
+    /// The axis leaves the vertical and returns to it, in infinite time.
     TOYTOP_APERIODIC = 6,
     /// The regime has no name in this version.
     TOYTOP_OTHER_REGIME = 7,

@@ -54,7 +54,7 @@ struct Head {
     generation: u16,
 }
 
-/// Number of set-ups in all memory, modulo 2^16. Two threads may count as one.
+/// Number of set-ups in all memory, modulo 2^16. Two set-ups at once may get one number; their addresses differ.
 static SET_UPS: AtomicU16 = AtomicU16::new(0);
 
 /// Table whose set-up has succeeded.

@@ -40,7 +40,7 @@ impl Level {
     /// the radius is the sine of the tilt.
     ///
     /// # Errors
-    /// `radius`: not finite, or not in (0, s) (for a fixed tip in (0, 1)).
+    /// `radius`: not finite, or not in (0, s) (for another support in (0, 1)).
     pub fn from_circle(top: &Top, radius: f64) -> Result<[Self; 2], ParameterError> {
         check_finite("radius", radius)?;
         let scale = top.tip_scale();

@@ -111,7 +111,7 @@ impl<R: Ring> Ellipse<R> {
 }
 
 impl<F: Float> Ellipse<F> {
-    /// Positive multiple of e^{iλ} that best fits a parameter z and its rate (least squares), with the rates of χ and λ.
+    /// Least-squares fit of e^{iλ} to a parameter z and its rate, up to a positive factor, with the rates of χ and λ.
     pub fn slow_phase(
         &self,
         cis_chi: Complex<F>,

@@ -62,7 +62,7 @@ pub struct Fitted {
     ///
     /// Errors are normally distributed in δ and η. In ω they are not, if the rotation about the vertical is poorly known.
     pub covariance: Covariance,
-    /// Residuals of the last pass, before the last correction of the launch. `chi_squared` is that expected after it.
+    /// Residuals of the last pass, before the last correction of the launch. `chi_squared` is the value expected after that correction.
     pub statistics: Statistics,
     /// Directions that the measurements do not determine. Their standard deviations are 10 rad, or ten times ω.
     pub unobservable: Unobservable,

@@ -85,7 +85,7 @@ impl<const WORDS: usize> Landen<WORDS> {
         self.active_steps().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
     }
 
-    /// First number of nodes (1, 3 or 5), and the number after at least two doublings that reaches these bits.
+    /// Number of nodes to begin with (1, 3 or 5), and number needed for these bits: 4, 8, 16, ... times the first.
     pub(super) fn node_counts(&self, bits: f64) -> (u32, u32) {
         let nodes = bits / self.bits_per_node();
         let doubled = |division: u32| {

@@ -45,7 +45,7 @@ struct TrapezoidRule<'a, const WORDS: usize> {
 }
 
 impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
-    /// Bits that the number of nodes counted beforehand should reach. Few motions then need one more doubling.
+    /// Accuracy for which nodes are counted beforehand, bits. Few motions then need one more doubling.
     const BITS: f64 = if WORDS == 1 { 66.0 } else { 105.0 };
     /// Estimated relative error that ends the doublings.
     const SETTLED: f64 = if WORDS == 1 { 1e-17 } else { 1e-28 };

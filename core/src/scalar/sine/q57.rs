@@ -54,19 +54,8 @@ pub(crate) fn sine_cosine_q57(phase: Phase) -> (i64, i64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::sine::exact_sine_cosine;
     use crate::scalar::{Extended, Float, Ring};
-
-    /// Sine and cosine by 40 terms of their power series.
-    fn exact(phase: Phase) -> (Extended, Extended) {
-        let x = Extended::from(phase.principal()) * Extended::TWO_PI;
-        let sum = |first: u32| {
-            (0..40).rev().fold(Extended::ONE, |sum, k| {
-                let n = f64::from(2 * k + first);
-                Extended::ONE - x.squared() * sum / Extended::from(n * (n + 1.0))
-            })
-        };
-        (x * sum(2), sum(1))
-    }
 
     #[test]
     fn sines_have_56_bits() {
@@ -74,7 +63,7 @@ mod tests {
         for k in 0..4000 {
             let phase = Phase::from_turns(0.000_573 * f64::from(k) - 1.1);
             let (sine, cosine) = sine_cosine_q57(phase);
-            let (true_sine, true_cosine) = exact(phase);
+            let (true_sine, true_cosine) = exact_sine_cosine(phase);
             let unit = Extended::ONE / Extended::from((1_u64 << SINE_BITS) as f64);
             for (ours, truth) in [(sine, true_sine), (cosine, true_cosine)] {
                 worst = worst.max(

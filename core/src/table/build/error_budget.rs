@@ -8,11 +8,12 @@ use crate::table::evaluation::rounding::TABLE_UNIT;
 const PATH_FRACTION: f64 = 1.0 / 8.0;
 /// Share of dropped terms. It costs about one more term.
 const TERMS_FRACTION: f32 = 1.0 / 256.0;
-/// Part of a segment's share that a segment of two cells has.
+/// Part of a segment's share that a segment of two cells may use.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
-/// Greatest last term of a rate at x = 1 over the error for dropped terms, on a step of one half period: integration divides the term by 192.
-const NEGLIGIBLE_TERM: f64 = 512.0;
+/// Factor of the term of a rate at which its series may end: factor · half length of the span · share of dropped terms. The integral of a last
+/// term over a step is some hundred times smaller, so that the step uses a small part of its share.
+const LAST_TERM_FACTOR: f64 = 512.0;
 
 /// Allowed errors of the parts of a table.
 pub(super) struct ErrorBudget {
@@ -51,7 +52,7 @@ impl ErrorBudget {
     ///
     /// * `half_length`: half of the span, in half periods
     pub(super) fn negligible_term(&self, half_length: f64) -> f64 {
-        NEGLIGIBLE_TERM * half_length * self.dropped_terms_error
+        LAST_TERM_FACTOR * half_length * self.dropped_terms_error
     }
 
     /// Error by the dropped terms of a and b, in units of 2^-62.

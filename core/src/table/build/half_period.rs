@@ -170,7 +170,7 @@ impl HalfPeriod {
         Ok(())
     }
 
-    /// Computes and stores the segments of a cell, or one of two cells; `None` if they are too long.
+    /// Fills one cell with segments, or two cells with one segment; `None` if the segments are too long.
     ///
     /// * `depth`: depth of the segments
     fn fill_cell<R: TableScalar>(

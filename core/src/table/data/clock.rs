@@ -26,7 +26,7 @@ pub struct Clock<W> {
     pub tip_exists: bool,
     /// Whether u has turning points: false where the tilt is constant to 2^-49 rad.
     pub has_turning_points: bool,
-    /// Twice [`Top::tip_scale`](crate::Top::tip_scale), 2 s, m; 2 for a fixed tip. The tip is at c = 2 s αβ.
+    /// Twice [`Top::tip_scale`](crate::Top::tip_scale), 2 s, m; 2 for another support. The tip is at c = 2 s αβ.
     pub twice_tip_scale: W,
     /// Rate dx/dt on a segment of an eighth of half a period, /s.
     pub x_rate: W,

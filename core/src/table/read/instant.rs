@@ -17,7 +17,7 @@ impl<R: TableScalar> Table<R> {
         Sample { table: self, phases, tick: n.into(), fraction: Phase::ZERO }
     }
 
-    /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite.
+    /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite. With an epoch, t = 0 is not the launch.
     ///
     /// * Resolution: 2^-64 ticks up to 2^62 ticks.
     /// * At whole ticks it has the bits of [`Table::at_tick`], if the tick rate is a multiple of 1/2.

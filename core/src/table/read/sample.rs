@@ -82,7 +82,7 @@ impl<R: TableScalar> Sample<'_, R> {
         self.orientation().quaternion()
     }
 
-    /// Position c = 2 s αβ of the tip, m, from the point below the centre of mass; 2αβ for a fixed tip.
+    /// Position c = 2 s αβ of the tip, m, from the point below the centre of mass; 2αβ for another support.
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R::Quantity> {
@@ -137,7 +137,7 @@ impl<R: TableScalar> Sample<'_, R> {
         AttitudeState::from_body(numbers.map(|part| part.to_quantity(0)), omega_body)
     }
 
-    /// State, from which another motion can be launched.
+    /// State, with the error of the sample, from which another motion can be launched.
     ///
     /// # Errors
     /// The errors of [`State::from_attitude`]: the sample of a baked table can have any numbers.

@@ -30,14 +30,14 @@ pub(super) fn store_polynomial<R: TableScalar>(
     4.0 * TABLE_UNIT as f32 * greatest
 }
 
-/// Upper bounds on the errors and speeds of segments, in rad and half periods. They are in `f32`, which many chips have an FPU for.
+/// Upper bounds on the errors of segments, rad, and on speeds, rad per half period. They are in `f32`, for which many chips have an FPU.
 #[derive(Debug)]
 pub(super) struct SegmentBounds {
     /// Orientation error by truncation and rounding, rad.
     pub(super) error: f32,
-    /// Angular speed 2 √(|da/dt|² + |db/dt|²), rad.
+    /// Angular speed 2 √(|da/dt|² + |db/dt|²), rad per half period.
     pub(super) angular_speed: f32,
-    /// Rate of a residual phase, rad.
+    /// Rate of a residual phase, rad per half period.
     pub(super) residual_rate: f32,
     /// Rate of the local coordinate x.
     pub(super) x_per_half_period: f32,

@@ -1,4 +1,5 @@
-//! Ranges of literal data in which no integer of a tick overflows. Only the tip's velocity may become infinite. Every set-up keeps them.
+//! Ranges of literal data in which no integer of a tick overflows. Only the tip's velocity may become infinite. A set-up keeps them, if s is at most 5e29 in `f32` and fixed
+//! point, or 5e59 in `f64`.
 
 use crate::table::evaluation::rounding::next_sum;
 

@@ -73,7 +73,7 @@ struct Recurrence {
     sine_to_cosine: UnitFactor,
     negligible_sine: i64,
     negligible_cosine: i64,
-    least_xi: i64,
+    negligible_xi: i64,
 }
 
 /// Largest dχ/dy at which series may converge fast enough to be used.
@@ -139,7 +139,7 @@ impl Expansion {
         ];
         [alpha.at_origin, beta.at_origin] = origin.residual_rates;
         (self.origin, self.chi_error_factor) = (origin.phases, origin.chi_error_factor as f32);
-        let least_xi = (negligible / (origin.chi_error_factor * chi_rate).abs()).min(f64::MAX);
+        let negligible_xi = (negligible / (origin.chi_error_factor * chi_rate).abs()).min(f64::MAX);
         Recurrence {
             psi,
             v_to_eta: UnitFactor::new(eta_per_v, v, mu),
@@ -150,7 +150,7 @@ impl Expansion {
             sine_to_cosine: UnitFactor::new(-chi_rate, sine, cosine),
             negligible_sine: to_units(negligible, sine.exponent),
             negligible_cosine: to_units(negligible, cosine.exponent),
-            least_xi: to_units(least_xi, mu.exponent),
+            negligible_xi: to_units(negligible_xi, mu.exponent),
         }
     }
 
@@ -192,7 +192,7 @@ impl Expansion {
         self.delta.set(k, delta)?;
         xi_series.set(k, xi)?;
         self.mu.set(k, mu)?;
-        let mut negligible = is_negligible(xi, k, recurrence.least_xi);
+        let mut negligible = is_negligible(xi, k, recurrence.negligible_xi);
         let series = self.residual.iter_mut().zip(&mut self.kappa);
         for ((rate, kappa), factors) in series.zip(&recurrence.psi) {
             negligible &= factors.next_coefficients(rate, kappa, k, [v, delta, mu])?;
