@@ -13,7 +13,7 @@
 //! instead of ω₂ in the shift, and the opposite direction of x.
 
 use crate::elliptic::carlson_rf;
-use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
+use crate::elliptic::elementary::{ValueAndSlope, imaginary, real, sine_cosine_of_phase};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::inverse::solve_increasing;
 use crate::orientation::{ArgumentOffsets, Periods};
@@ -86,7 +86,7 @@ impl E3EqualsE4 {
 
         // y(0) within half a period of u = e₂, from cos²χ = sn²(√(e₂ + e₃) y)
         let (_, remainder) = chi.split_half_turns();
-        let (sine, cosine) = of_turns(remainder - Phase::QUARTER);
+        let (sine, cosine) = sine_cosine_of_phase(remainder - Phase::QUARTER);
         let middle = e1_plus_e3 + e.e2_minus_e1 * cosine.squared();
         let start = sine * carlson_rf(e2_plus_e3 * cosine.squared(), middle, e2_plus_e3);
 

@@ -11,7 +11,7 @@
 //! z increases along the real axis, from u = e₁ at z = 0.
 
 use crate::elliptic::carlson_rf;
-use crate::elliptic::elementary::{ValueAndSlope, imaginary, of_turns, real};
+use crate::elliptic::elementary::{ValueAndSlope, imaginary, real, sine_cosine_of_phase};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, zeros};
@@ -109,7 +109,7 @@ impl Lagrange {
 fn since_lowest(e: &BranchPoints<Extended>, chi: Phase) -> Extended {
     let (_, remainder) = chi.split_half_turns();
     let remainder = if remainder > Phase::QUARTER { remainder - Phase::HALF } else { remainder };
-    let (sine, cosine) = of_turns(remainder);
+    let (sine, cosine) = sine_cosine_of_phase(remainder);
     let squared = cosine * cosine;
     let length = e.e3_minus_e1();
     sine * carlson_rf(length * squared, e.e3_minus_e2 + e.e2_minus_e1 * squared, length)

@@ -1,6 +1,6 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period.
 
-use crate::elliptic::elementary::{ValueAndSlope, angle, of_turns, rounded};
+use crate::elliptic::elementary::{ValueAndSlope, angle, rounded, sine_cosine_of_phase};
 use toytop::internal::{
     Ellipse, Ellipses, branch_points, half_phase, half_tau, phase_equations, slow_phases,
 };
@@ -25,7 +25,7 @@ impl ArgumentOffsets {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let (im, re) = of_turns(half_phase(motion).unwrap_or_default());
+        let (im, re) = sine_cosine_of_phase(half_phase(motion).unwrap_or_default());
         let rates = phase_equations(motion).rates(im, re);
         let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
             let z = ellipse.slow_phase(Complex::new(re, im), [rates.chi, psi], [value, slope]);

@@ -223,6 +223,13 @@ impl Top {
         Extended::ONE / (self.a * self.p * self.g).doubled()
     }
 
+    /// Half of τ = ⟨ω, r⟩ - n/A, rad/s, from the axial rate ⟨ω, r⟩.
+    #[inline(never)] // stack
+    pub(crate) fn half_tau(&self, spin: Extended) -> Extended {
+        let Self { a, c, k, .. } = *self;
+        ((a - c) / a * spin - k / a).halved()
+    }
+
     /// Axial rate ⟨ω, r⟩ = (n - K)/C of the body, rad/s; 0 where C = 0, because n does not determine it.
     pub(crate) fn spin(&self, n: Extended) -> Extended {
         if self.c > Extended::ZERO { (n - self.k) / self.c } else { Extended::ZERO }

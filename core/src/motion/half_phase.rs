@@ -15,7 +15,7 @@ pub(super) fn is_steady(e: &BranchPoints<Extended>, regime: Regime) -> bool {
 /// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
 /// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u).
 #[inline(never)]
-pub(super) fn half_phase(
+pub(super) fn half_phase_at(
     top: &Top,
     e: &BranchPoints<Extended>,
     regime: Regime,

@@ -4,7 +4,7 @@ use crate::body::{ParameterError, State, Top, check, check_range};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint, Regime, Signs};
 use crate::motion::ellipses::Ellipses;
-use crate::motion::half_phase::{half_phase, half_phase_of_angle, is_steady};
+use crate::motion::half_phase::{half_phase_at, half_phase_of_angle, is_steady};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::motion::{LaunchRounding, Motion, steady_complements};
 use crate::phase::Phase;
@@ -64,21 +64,21 @@ impl Motion {
         pause();
         let signs = integrals.signs();
         let regime = Regime::new(e, signs, point.is_sleeping());
-        let half_tau = half_tau(top, integrals.spin);
+        let half_tau = top.half_tau(integrals.spin);
         pause();
         let rounding = LaunchRounding::new(top, &integrals, &point, e, state);
         pause();
-        let torque_free_rate = torque_free_rate(top, &integrals, &point);
-        let half_phase = half_phase(top, e, regime, torque_free_rate, &point);
-        let ellipses = ellipses(e, signs, half_phase, regime);
+        let torque_free_rate = chi_rate_without_torque(top, &integrals, &point);
+        let half_phase = half_phase_at(top, e, regime, torque_free_rate, &point);
+        let ellipses = ellipses_of(e, signs, half_phase, regime);
         pause();
         let at_start = orientation_and_rate(state);
         let slow_phases = match half_phase {
             None => [at_start.orientation.alpha, at_start.orientation.beta].map(argument),
             Some(chi) => {
-                let equations = equations(top, e, integrals.l_plus_n, signs, torque_free_rate);
+                let equations = rounded_equations(top, e, integrals.l_plus_n, signs, torque_free_rate);
                 pause();
-                slow_phases(&equations, &ellipses, half_tau.to_f64(), chi, &at_start)
+                slow_phases_of(&equations, &ellipses, half_tau.to_f64(), chi, &at_start)
             }
         };
         Ok(Self {
@@ -132,7 +132,7 @@ impl Motion {
         let (_, remainder) = chi.split_half_turns();
         let regime = Regime::new(&e, signs, remainder == Phase::QUARTER);
         let half_phase = (!is_steady(&e, regime)).then_some(chi);
-        let ellipses = ellipses(&e, signs, half_phase, regime);
+        let ellipses = ellipses_of(&e, signs, half_phase, regime);
         let [alpha, beta] = match half_phase {
             None => [Phase::ZERO; 2],
             Some(chi) => ellipses.arguments(Complex::cis(chi)),
@@ -143,7 +143,7 @@ impl Motion {
             signs,
             e,
             integrals,
-            half_tau: half_tau(top, spin),
+            half_tau: top.half_tau(spin),
             ellipses,
             regime,
             half_phase,
@@ -155,7 +155,7 @@ impl Motion {
 }
 
 /// Ellipses of α and β.
-fn ellipses(
+fn ellipses_of(
     e: &BranchPoints<Extended>,
     signs: Signs,
     half_phase: Option<Phase>,
@@ -167,15 +167,12 @@ fn ellipses(
     }
 }
 
-/// Half of τ = ⟨ω, r⟩ - n/A, rad/s, from the axial rate.
-#[inline(never)]
-fn half_tau(top: &Top, spin: Extended) -> Extended {
-    let Top { a, c, k, .. } = *top;
-    ((a - c) / a * spin - k / a).halved()
-}
-
 /// Rate χ' of a motion without torque, rad/s; otherwise 0. The axis rotates about the angular momentum m at the rate |m|/A.
-fn torque_free_rate(top: &Top, integrals: &FirstIntegrals<Extended>, point: &ReducedPoint) -> Extended {
+fn chi_rate_without_torque(
+    top: &Top,
+    integrals: &FirstIntegrals<Extended>,
+    point: &ReducedPoint,
+) -> Extended {
     if top.is_torque_free() { (point.momentum(top.a, integrals.n) / top.a).halved() } else { Extended::ZERO }
 }
 
@@ -192,7 +189,7 @@ fn orientation_and_rate(state: &State) -> AttitudeState<f64> {
 
 /// Phase equations, rounded.
 #[inline(never)]
-fn equations(
+fn rounded_equations(
     top: &Top,
     e: &BranchPoints<Extended>,
     l_plus_n: Extended,
@@ -204,7 +201,7 @@ fn equations(
 
 /// Slow phases of an orientation and its rate, from the half phase.
 #[inline(never)]
-fn slow_phases(
+fn slow_phases_of(
     equations: &PhaseEquations<f64>,
     Ellipses { alpha, beta }: &Ellipses<f64>,
     half_tau: f64,

@@ -62,7 +62,7 @@ pub struct TickErrors {
 pub trait TableScalar: Scalar + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
-    type Coefficient: Coefficient<Number: TickNumber<Quantity = Self::Quantity>>;
+    type Coefficient: Coefficient<Quantity = Self::Quantity>;
     /// Segment: coefficients of Re a, Im a, Re b and Im b side by side, lowest power first.
     type Segment: Copy
         + Debug
@@ -94,6 +94,9 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: NumberOf<Self>) -> Self;
+    /// Number times 2^exponent. In `f64` the exponent is 0.
+    #[doc(hidden)]
+    fn to_quantity(number: NumberOf<Self>, exponent: i32) -> Self::Quantity;
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
     fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
@@ -102,26 +105,24 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
 /// Number in which a tick of a scalar computes α, β and Ω.
 pub(crate) type NumberOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Number;
 
-/// Number in which a tick computes α, β and Ω: `Q30` or `f64`.
-pub trait TickNumber: Ring {
-    /// Type of lengths and rates.
-    type Quantity: Real;
-
-    /// This number times 2^exponent. In `f64` the exponent is 0.
-    fn to_quantity(self, exponent: i32) -> Self::Quantity;
-}
-
 /// Coefficient of a table, and the operations that depend on its word: rounding in a set-up, evaluation in a tick.
 pub trait Coefficient: Copy + Debug + PartialEq {
     /// Sum of Horner's rule, and the local coordinate: `i32` for `i16`, otherwise the type of the coefficient itself.
     type Sum: Coefficient<Sum = Self::Sum, Number = Self::Number> + Default + Into<f64>;
-    /// Number that the evaluation results in.
-    type Number: TickNumber;
+    /// Number in which a tick computes α, β and Ω: `Q30` or `f64`.
+    type Number: Ring;
+    /// Type of lengths and rates.
+    type Quantity: Real;
+
+    // Set-up: rounding.
 
     /// Coefficient of x^power nearest to a value, in units of 2^-62.
     fn nearest(value: i64, power: usize) -> Self;
     /// Error of products by 16 bits of x above 2^-31, which [`TickErrors`] contain, in units of 2^-62; infinite where a sum could overflow.
     fn short_product_error(polynomial: &[i64]) -> f32;
+
+    // Tick: polynomials.
+
     /// Coefficient in the scale of the sums.
     fn to_sum(self) -> Self::Sum;
     /// Local coordinate.
@@ -135,6 +136,9 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     }
     /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
     fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
+
+    // Tick: rotation and angular velocity.
+
     /// Complex number of the table, rotated by the angle with this sine and cosine.
     fn rotated(
         number: [Self::Sum; 2],
@@ -152,7 +156,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
         polynomials: [[Self::Sum; 4]; 2],
         difference: [Self::Sum; 2],
         point: SegmentPoint,
-        rates: [<Self::Number as TickNumber>::Quantity; 3],
+        rates: [Self::Quantity; 3],
     ) -> (Vector<Self::Number>, i32);
 }
 

@@ -67,7 +67,7 @@ fn series(x: Extended, sign: f64) -> (Extended, Extended) {
 pub(crate) fn sine_cosine(x: Extended) -> (Extended, Extended) {
     const FAR: f64 = (1 << 20) as f64;
     if Float::abs(x.to_f64()) > FAR {
-        return of_turns(x.radians_to_turns().to_phase());
+        return sine_cosine_of_phase(x.radians_to_turns().to_phase());
     }
     let quadrant = libm::round(x.to_f64() * core::f64::consts::FRAC_2_PI);
     let remainder = x - half_pi() * quadrant.into();
@@ -75,7 +75,7 @@ pub(crate) fn sine_cosine(x: Extended) -> (Extended, Extended) {
 }
 
 /// (sin 2πx, cos 2πx) of a phase of x turns.
-pub(crate) fn of_turns(phase: Phase) -> (Extended, Extended) {
+pub(crate) fn sine_cosine_of_phase(phase: Phase) -> (Extended, Extended) {
     let (quadrant, remainder) = phase.quadrant();
     rotate_quarter_turns(quadrant, series(Extended::from(remainder) * Extended::TWO_PI, -1.0))
 }

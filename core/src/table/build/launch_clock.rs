@@ -9,7 +9,7 @@ use crate::table::data::{Clock, Phases, Table, Tick};
 use crate::table::evaluation::TableScalar;
 
 impl<W: Float> Clock<W> {
-    /// Clock of a motion; `start_tip_angle` adds [`Clock::tip_start`].
+    /// Clock of a motion; `set_tip_angle_at_launch` adds [`Clock::tip_start`].
     ///
     /// * `epoch`: tick of the launch
     /// * `rates`: mean rates, turns/s
@@ -59,7 +59,7 @@ impl<R: TableScalar> Table<R> {
     /// Sets the mean tip angle so that the tip angle at the launch is the argument of c in (-1/2, 1/2] turn.
     ///
     /// * `launch`: phases at the launch
-    pub(super) fn start_tip_angle(
+    pub(super) fn set_tip_angle_at_launch(
         &mut self,
         motion: &Motion,
         launch: Phases<Phase>,

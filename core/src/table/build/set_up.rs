@@ -166,7 +166,7 @@ impl<R: TableScalar> Table<R> {
         self.segments.get_mut(*segment_count..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, *launch_phases);
         pause();
-        self.start_tip_angle(motion, *launch_phases, pause);
+        self.set_tip_angle_at_launch(motion, *launch_phases, pause);
         pause();
         [self.error_bound, self.rate_error_bound] =
             half_period.error_bounds(R::TERMS, &R::ERRORS, motion, settings.tick.length());

@@ -13,6 +13,8 @@ use crate::table::data::phases::Phases;
 /// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `mean_sum_rate`, `axial_rate` |
 /// | tip angle | `tip_start`, `tip_step`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
+///
+/// `tip_step`, `x_rate` and `mean_sum_rate` follow from `step_turns` and `ticks_per_time`. With them a reader needs no extended precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {
@@ -42,8 +44,7 @@ pub struct Clock<W> {
     pub ticks_per_time: [f64; 2],
     /// Mean tip angle at tick 0, with whole turns, in units of 2^-96 turns, lowest word first.
     pub tip_start: [u32; 4],
-    /// Increment of the mean tip angle per tick, in units of 2^-96 turns. It follows from `step_turns`; a reader of baked tables then needs no
-    /// extended precision.
+    /// Increment of the mean tip angle per tick, in units of 2^-96 turns, lowest word first.
     pub tip_step: [u32; 4],
     /// Tick of the launch, from which the error bounds grow.
     pub epoch: i64,

@@ -12,7 +12,7 @@ use crate::scalar::{Q30, Scalar, sine_cosine_q26};
 use crate::su2::Vector;
 use crate::table::evaluation::omega_q30::omega_body;
 use crate::table::evaluation::rounding::{TABLE_BITS, short_product_bound};
-use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors, TickNumber};
+use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors};
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
 
@@ -27,15 +27,6 @@ pub(super) const ERRORS_Q30: TickErrors = TickErrors {
     omega: 44.0 * UNIT_Q30,
     relative_omega: 3.7 * <f32 as Scalar>::ROUNDING,
 };
-
-impl TickNumber for Q30 {
-    type Quantity = f32;
-
-    #[inline(always)]
-    fn to_quantity(self, exponent: i32) -> f32 {
-        self.to_f32(exponent)
-    }
-}
 
 impl TableScalar for f32 {
     type Coefficient = i32;
@@ -53,6 +44,11 @@ impl TableScalar for f32 {
     #[inline]
     fn from_number(number: Q30) -> Self {
         number.to_f32(0)
+    }
+
+    #[inline(always)]
+    fn to_quantity(number: Q30, exponent: i32) -> f32 {
+        number.to_f32(exponent)
     }
 
     #[inline(always)]
@@ -80,6 +76,11 @@ impl TableScalar for I2F30 {
     }
 
     #[inline(always)]
+    fn to_quantity(number: Q30, exponent: i32) -> f32 {
+        number.to_f32(exponent)
+    }
+
+    #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         sine_cosine_q31((phase >> 32) as u32).into()
     }
@@ -98,6 +99,7 @@ const ACCEPTED_ERROR: f32 = (1_u32 << 31) as f32;
 impl Coefficient for i32 {
     type Sum = Self;
     type Number = Q30;
+    type Quantity = f32;
 
     fn nearest(value: i64, power: usize) -> Self {
         rounded(value, power).clamp(i32::MIN.into(), i32::MAX.into()) as i32

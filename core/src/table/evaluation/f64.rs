@@ -4,7 +4,7 @@ use crate::complex::Complex;
 use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
 use crate::table::evaluation::rounding::TABLE_UNIT;
-use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors, TickNumber};
+use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors};
 
 impl TableScalar for f64 {
     type Coefficient = Self;
@@ -28,24 +28,21 @@ impl TableScalar for f64 {
         number
     }
 
+    #[inline]
+    fn to_quantity(number: Self, _: i32) -> Self {
+        number
+    }
+
     #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [f64; 2] {
         sine_cosine_f64(phase).into()
     }
 }
 
-impl TickNumber for f64 {
-    type Quantity = Self;
-
-    #[inline]
-    fn to_quantity(self, _: i32) -> f64 {
-        self
-    }
-}
-
 impl Coefficient for f64 {
     type Sum = Self;
     type Number = Self;
+    type Quantity = Self;
 
     fn nearest(value: i64, _: usize) -> Self {
         value as f64 * TABLE_UNIT

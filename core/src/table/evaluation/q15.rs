@@ -35,6 +35,11 @@ impl TableScalar for I2F14 {
     }
 
     #[inline(always)]
+    fn to_quantity(number: Q30, exponent: i32) -> f32 {
+        number.to_f32(exponent)
+    }
+
+    #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         let (sine, cosine) = sine_cosine_q15((phase >> 32) as u32);
         [sine >> 15, cosine >> 15]
@@ -52,6 +57,7 @@ fn rounded(value: i64, power: usize) -> i64 {
 impl Coefficient for i16 {
     type Sum = i32;
     type Number = Q30;
+    type Quantity = f32;
 
     fn nearest(value: i64, power: usize) -> Self {
         rounded(value, power).clamp(i16::MIN.into(), i16::MAX.into()) as i16

@@ -49,11 +49,11 @@ impl SegmentBounds {
 
     /// Includes other segments.
     pub(super) fn include(&mut self, other: &Self) {
-        let include = |greatest: &mut f32, other: f32| *greatest = greatest.larger_or_nan(other);
-        include(&mut self.error, other.error);
-        include(&mut self.angular_speed, other.angular_speed);
-        include(&mut self.residual_rate, other.residual_rate);
-        include(&mut self.x_per_half_period, other.x_per_half_period);
+        let raise = |greatest: &mut f32, other: f32| *greatest = greatest.larger_or_nan(other);
+        raise(&mut self.error, other.error);
+        raise(&mut self.angular_speed, other.angular_speed);
+        raise(&mut self.residual_rate, other.residual_rate);
+        raise(&mut self.x_per_half_period, other.x_per_half_period);
     }
 
     /// Greatest change of the orientation on half a segment, which is at most one cell, rad.
