@@ -1,7 +1,7 @@
 //! Top and launch of a motion, taken as exact.
 
-use super::Launch;
 use toytop::{ParameterError, Support, TopParameters};
+use toytop_model::launch::Launch;
 use toytop_model::parameters;
 use toytop_model::timed_motion::TimedMotion;
 
