@@ -26,9 +26,9 @@ impl Opaque for Motion {
 pub enum toytop_regime {
     /// The axis rises and falls between e1 and e2.
     TOYTOP_NUTATING = 0,
-    /// The tilt is constant: the slower of the two regular precessions at this tilt and spin.
+    /// The tilt is constant and |l| < |n|: of a fast top, the slower of its two regular precessions.
     TOYTOP_SLOW_PRECESSION = 1,
-    /// The tilt is constant: the faster of the two.
+    /// The tilt is constant and |l| >= |n|: of a fast top, the faster of the two.
     TOYTOP_FAST_PRECESSION = 2,
     /// The axis is upright, and a small push causes a small nutation.
     TOYTOP_SLEEPING_STABLE = 3,

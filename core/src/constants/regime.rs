@@ -10,10 +10,10 @@ use crate::scalar::{Extended, Float, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// -1 < e₁ = e₂ < 1 and |l| < |n|: the slower regular precession. A change of the tilt below 2^-49 rad, as by roundings of a state, counts
-    /// as none.
+    /// -1 < e₁ = e₂ < 1 and |l| < |n|: a regular precession, of a fast top the slower of two. A change of the tilt below 2^-49 rad, as by
+    /// roundings of a state, counts as none.
     SlowPrecession,
-    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster regular precession, with the same threshold.
+    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: a regular precession, of a fast top the faster of two.
     FastPrecession,
     /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
     SleepingStable,
