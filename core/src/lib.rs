@@ -100,7 +100,7 @@ pub mod internal {
     /// Unrounded period of a motion, s, and its rotations about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT;
     /// `None` where [`Motion::period_advance`] is.
     pub fn period_and_rotations(motion: &Motion) -> Option<(Extended, [Phase; 2])> {
-        let period = motion.period::<2>(&motion.equations(), &mut || {})?;
+        let period = motion.period::<Extended>(&motion.equations(), &mut || {})?;
         let rotations = period.rotations(motion.half_tau).map(|angle| angle.radians_to_turns().to_phase());
         Some((period.time, rotations))
     }

@@ -22,7 +22,7 @@ use crate::motion::ellipses::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Wide};
+use crate::scalar::{Extended, Float, Ring};
 use crate::su2::AttitudeState;
 
 /// Motion of one launch.
@@ -82,12 +82,12 @@ impl Motion {
     /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
         let windings = Ellipses::oscillating(&self.e, self.signs, Extended::to_f64).windings();
-        let period = self.period::<2>(&self.equations(), &mut || {})?;
+        let period = self.period::<Extended>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
 
-    /// Nutation period, integrated in numbers of `WORDS` times 64 bits.
-    pub(crate) fn period<const WORDS: usize>(
+    /// Nutation period, integrated in numbers of type `F`.
+    pub(crate) fn period<F: Float>(
         &self,
         equations: &PhaseEquations<Extended>,
         pause: &mut dyn FnMut(),
@@ -98,7 +98,7 @@ impl Motion {
                 .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
         (self.e.e3_minus_e2 > Extended::ZERO)
-            .then(|| Period::integrated(&equations.map(Wide::<WORDS>::from_extended), pause))
+            .then(|| Period::integrated(&equations.map(F::from_extended), pause))
     }
 
     /// Winding numbers of the ellipses of α and β; 1 for a steady motion.

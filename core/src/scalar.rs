@@ -104,12 +104,17 @@ pub trait Scalar: Ring {
     const ROUNDING: f64;
 }
 
-/// Number type of set-up: with division and square root.
+/// Number type of a set-up: with division and square root.
 pub trait Float: Ring + Div<Output = Self> {
+    /// Upper bound on the relative error of one sum, product, quotient or root.
+    const OPERATION_ERROR: f64;
+
     /// Nearest value of this type.
     fn from_f64(x: f64) -> Self;
     /// Nearest value of this type.
     fn from_extended(x: Extended) -> Self;
+    /// This number in 128 bits.
+    fn to_extended(self) -> Extended;
     /// Nearest `f64`.
     fn to_f64(self) -> f64;
     /// Square root; 0 for a negative number and for NaN.
@@ -148,6 +153,8 @@ macro_rules! float_scalar {
         }
 
         impl Float for $float {
+            const OPERATION_ERROR: f64 = <$float>::EPSILON as f64 / 2.0;
+
             #[inline]
             fn from_f64(x: f64) -> Self {
                 x as Self
@@ -155,6 +162,10 @@ macro_rules! float_scalar {
             #[inline]
             fn from_extended(x: Extended) -> Self {
                 x.to_f64() as Self
+            }
+            #[inline]
+            fn to_extended(self) -> Extended {
+                Extended::from(f64::from(self))
             }
             #[inline]
             fn to_f64(self) -> f64 {

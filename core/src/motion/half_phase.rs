@@ -5,8 +5,8 @@ use crate::constants::{BranchPoints, ReducedPoint, Regime};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Whether a motion is steady: u is constant to the last bit. A regular precession may nutate by 2^-49 rad.
-pub(super) fn is_steady(e: &BranchPoints<Extended>, regime: Regime) -> bool {
+/// Whether u is constant to the last bit, as in a steady motion. A regular precession may nutate by 2^-49 rad.
+pub(super) fn has_constant_tilt(e: &BranchPoints<Extended>, regime: Regime) -> bool {
     e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable
 }
 
@@ -22,7 +22,7 @@ pub(super) fn half_phase_at(
     torque_free_rate: Extended,
     point: &ReducedPoint,
 ) -> Option<Phase> {
-    if is_steady(e, regime) {
+    if has_constant_tilt(e, regime) {
         return None;
     }
     let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;

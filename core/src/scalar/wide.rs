@@ -9,7 +9,6 @@ mod arithmetic;
 mod conversion;
 
 use self::words::{add, add_word, leading, product, shift_left, shift_right};
-use crate::integer::power_of_two;
 use core::mem::replace;
 
 /// Number ±s · 2^exponent with a significand s in [1/2, 1) of `WORDS` words. The relative error of an operation is at most
@@ -29,9 +28,6 @@ pub struct Wide<const WORDS: usize> {
 pub type Extended = Wide<2>;
 
 impl<const WORDS: usize> Wide<WORDS> {
-    /// Upper bound on the relative error of one sum, product, quotient or root.
-    pub(crate) const OPERATION_ERROR: f64 = 1.1 * power_of_two(-64 * WORDS as i32);
-
     fn is_zero(&self) -> bool {
         leading(&self.significand) == 0
     }

@@ -58,7 +58,16 @@ pub struct TickErrors {
     pub(super) relative_omega: f64,
 }
 
-/// Scalar of a table: `f32`, `f64`, and with the feature `fixed` `I2F30` and `I2F14`. Sealed.
+/// Scalar of a table. Sealed.
+///
+/// | scalar | table for the top of [the first page](crate) | error bound, rad | for |
+/// |---|---|--:|---|
+/// | `f32` | `TableF32`, 2.2 KB | 1.8e-7 | chips with an FPU or without one |
+/// | `f64` | `TableF64`, 17 KB | 7.4e-15 | PCs, and chips with an FPU for `f64` |
+/// | `fixed::types::I2F30` (q31) | `TableQ31`, 2.3 KB | 2.0e-8 | the smallest error without an FPU for `f64` |
+/// | `fixed::types::I2F14` (q15) | `TableQ15`, 0.6 KB | 5.5e-4 | the fastest tick of a chip without an FPU |
+///
+/// The last two need the feature `fixed`.
 pub trait TableScalar: Scalar + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
@@ -72,9 +81,9 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
         + 'static;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Quantity: Real;
-    /// Number type of the rates along the path of a set-up. `Extended` for `f64`, because a residual phase may be below 1e-16.
+    /// Number type of a set-up, of 64 bits, or of 128 for `f64`.
     #[doc(hidden)]
-    type PathNumber: Float;
+    type SetUpNumber: Float;
 
     /// Code of the scalar in [the table format](crate::table_format).
     const CODE: u32;
@@ -82,9 +91,6 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     const TERMS: usize;
     /// Segment whose coefficients are all 0.
     const ZERO_SEGMENT: Self::Segment;
-    /// Words of the numbers in which a set-up integrates the period.
-    #[doc(hidden)]
-    const PERIOD_WORDS: usize = 1;
     /// Truncation error of a table unless another one is chosen, rad.
     const TRUNCATION: f64 = 2.0 * Self::ROUNDING;
     /// Rounding errors of a tick.

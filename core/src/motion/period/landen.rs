@@ -1,6 +1,6 @@
 //! Descending Landen transformation: Jacobi's functions sn, cn and dn without a transcendental function.
 
-use crate::scalar::{Float, Ring, Wide};
+use crate::scalar::{Extended, Float};
 
 /// Fractions before division: sn² = sn_squared/(sn_squared + cn_squared), cn² likewise, and dn = dn/dn_denominator.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -12,11 +12,11 @@ pub(super) struct JacobiFractions<F> {
 }
 
 /// Sequence of Landen transformations of one parameter.
-pub(super) struct Landen<const WORDS: usize> {
+pub(super) struct Landen<F> {
     /// Transformations of decreasing modulus; 0 where nothing changes.
-    steps: [LandenStep<Wide<WORDS>>; LANDEN_STEPS],
+    steps: [LandenStep<F>; LANDEN_STEPS],
     /// Product of (1 + k)² over all steps.
-    scale: Wide<WORDS>,
+    scale: F,
     /// Number of steps, from the first, with 1 - k <= 1/8.
     steps_near_one: usize,
 }
@@ -37,26 +37,25 @@ struct LandenStep<F> {
 /// Greatest number of transformations: m₁ = 1/2 needs five, 1e-15 nine, 1e-300 twelve.
 const LANDEN_STEPS: usize = 12;
 
-impl<const WORDS: usize> Landen<WORDS> {
+impl<F: Float> Landen<F> {
     /// Modulus whose transformation is negligible.
-    const MIN_MODULUS: f64 = if WORDS == 1 { 2e-20 } else { 1e-33 };
+    const MIN_MODULUS: f64 = if F::OPERATION_ERROR > 1e-30 { 2e-20 } else { 1e-33 };
 
     /// Sequence without steps.
     pub(super) const EMPTY: Self = {
-        let zero = Wide::ZERO;
-        let step = LandenStep { modulus: zero, complement: zero, scaled_modulus: zero };
-        Self { steps: [step; LANDEN_STEPS], scale: Wide::ONE, steps_near_one: 0 }
+        let step = LandenStep { modulus: F::ZERO, complement: F::ZERO, scaled_modulus: F::ZERO };
+        Self { steps: [step; LANDEN_STEPS], scale: F::ONE, steps_near_one: 0 }
     };
 
     /// Fills an empty sequence for m and m₁ = 1 - m, each given with full relative precision. It is filled in place, because a sequence that
     /// is returned takes a kilobyte more of stack.
     #[inline(never)]
-    pub(super) fn fill(&mut self, [m, m1]: [Wide<WORDS>; 2], pause: &mut dyn FnMut()) {
+    pub(super) fn fill(&mut self, [m, m1]: [F; 2], pause: &mut dyn FnMut()) {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let mut modulus_squared = m;
         let mut conjugate = m1.sqrt();
         for step in &mut self.steps {
-            let inverse_sum = Wide::ONE / (Wide::ONE + conjugate);
+            let inverse_sum = F::ONE / (F::ONE + conjugate);
             let modulus = modulus_squared * inverse_sum.squared();
             if modulus.to_f64() <= Self::MIN_MODULUS {
                 break;
@@ -68,21 +67,20 @@ impl<const WORDS: usize> Landen<WORDS> {
             modulus_squared = modulus.squared();
             pause();
         }
-        for step in self.steps.iter_mut().rev().filter(|step| step.modulus > Wide::ZERO) {
+        for step in self.steps.iter_mut().rev().filter(|step| step.modulus > F::ZERO) {
             step.scaled_modulus = step.modulus * self.scale;
-            self.scale = self.scale * (Wide::ONE + step.modulus).squared();
+            self.scale = self.scale * (F::ONE + step.modulus).squared();
         }
     }
 
-    fn active_steps(&self) -> impl Iterator<Item = &LandenStep<Wide<WORDS>>> {
-        self.steps.iter().filter(|step| step.modulus > Wide::ZERO)
+    fn active_steps(&self) -> impl Iterator<Item = &LandenStep<F>> {
+        self.steps.iter().filter(|step| step.modulus > F::ZERO)
     }
 
     /// Quarter period K = π/2 ∏ (1 + k).
-    pub(super) fn quarter_period(&self) -> Wide<WORDS> {
-        // π/2 to 32 digits
-        let half_pi = Wide::from_f64_pair([core::f64::consts::FRAC_PI_2, 6.123233995736766e-17]);
-        self.active_steps().fold(half_pi, |product, step| product * (Wide::ONE + step.modulus))
+    pub(super) fn quarter_period(&self) -> F {
+        let half_pi = F::from_extended(Extended::TWO_PI).halved().halved();
+        self.active_steps().fold(half_pi, |product, step| product * (F::ONE + step.modulus))
     }
 
     /// Number of nodes to begin with (1, 3 or 5), and number needed for these bits: 4, 8, 16, ... times the first.
@@ -112,19 +110,16 @@ impl<const WORDS: usize> Landen<WORDS> {
     }
 
     /// Squares at u = 2 K φ/π, from sin φ and cos φ, with sn² = X/W and cn² = Y/W.
-    pub(super) fn fractions_at_angle(
-        &self,
-        [sine, cosine]: [Wide<WORDS>; 2],
-    ) -> JacobiFractions<Wide<WORDS>> {
+    pub(super) fn fractions_at_angle(&self, [sine, cosine]: [F; 2]) -> JacobiFractions<F> {
         // X without its constant factors (1 + k)²
         let mut x = sine.squared();
         let mut y = cosine.squared();
-        let mut w = Wide::ONE;
-        let mut sum = Wide::ONE;
-        let mut difference = Wide::ONE;
+        let mut w = F::ONE;
+        let mut sum = F::ONE;
+        let mut difference = F::ONE;
         for (number, step) in self.steps.iter().enumerate().rev() {
             let LandenStep { modulus, complement, scaled_modulus } = *step;
-            if modulus == Wide::ZERO {
+            if modulus == F::ZERO {
                 continue;
             }
             let kx = scaled_modulus * x;
@@ -142,7 +137,7 @@ impl<const WORDS: usize> Landen<WORDS> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Extended;
+    use crate::scalar::Ring;
 
     /// K'/K is 1 for m = 1/2, so that the error decreases by 2π/ln 2 bits a node; K grows with the logarithm of m₁.
     #[test]

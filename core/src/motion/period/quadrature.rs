@@ -4,26 +4,23 @@ use super::Period;
 use super::elliptic_equations::EllipticEquations;
 use super::landen::{Landen, MAX_NODES};
 use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::{Extended, Float, Ring, Wide};
+use crate::scalar::{Float, Ring};
 
 impl Period {
     /// Period of a motion that nutates. `pause` is called at each node.
     #[inline(never)]
-    pub(crate) fn integrated<const WORDS: usize>(
-        equations: &PhaseEquations<Wide<WORDS>>,
-        pause: &mut dyn FnMut(),
-    ) -> Self {
+    pub(crate) fn integrated<F: Float>(equations: &PhaseEquations<F>, pause: &mut dyn FnMut()) -> Self {
         let elliptic = EllipticEquations::new(equations);
         pause();
         let mut landen = Landen::EMPTY;
         landen.fill(elliptic.parameters, pause);
-        let (nodes, needed) = landen.node_counts(TrapezoidRule::<WORDS>::BITS);
+        let (nodes, needed) = landen.node_counts(TrapezoidRule::<F>::BITS);
         let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, pause);
         // beyond twice the number needed only roundings are left
         let most = MAX_NODES.min(2 * needed);
         loop {
             let error = rule.double_nodes();
-            if rule.nodes >= most || rule.nodes >= needed && error <= TrapezoidRule::<WORDS>::SETTLED {
+            if rule.nodes >= most || rule.nodes >= needed && error <= TrapezoidRule::<F>::SETTLED {
                 return rule.period(error);
             }
         }
@@ -31,47 +28,39 @@ impl Period {
 }
 
 /// Trapezoid sums over half a period.
-struct TrapezoidRule<'a, const WORDS: usize> {
-    equations: &'a EllipticEquations<'a, Wide<WORDS>>,
-    landen: &'a Landen<WORDS>,
+struct TrapezoidRule<'a, F> {
+    equations: &'a EllipticEquations<'a, F>,
+    landen: &'a Landen<F>,
     /// Sums of the integrands of t, ψ_α and ψ_β without factors; the ends count half.
-    sums: [Wide<WORDS>; 3],
+    sums: [F; 3],
     nodes: u32,
     /// Sine and cosine of the angle between two nodes.
-    step: [Wide<WORDS>; 2],
+    step: [F; 2],
     /// Relative changes by the last doubling of the nodes.
     changes: [f64; 2],
     pause: &'a mut dyn FnMut(),
 }
 
-impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
+impl<'a, F: Float> TrapezoidRule<'a, F> {
     /// Accuracy for which nodes are counted beforehand, bits. Few motions then need one more doubling.
-    const BITS: f64 = if WORDS == 1 { 66.0 } else { 105.0 };
+    const BITS: f64 = if F::OPERATION_ERROR > 1e-30 { 66.0 } else { 105.0 };
     /// Estimated relative error that ends the doublings.
-    const SETTLED: f64 = if WORDS == 1 { 1e-17 } else { 1e-28 };
+    const SETTLED: f64 = if F::OPERATION_ERROR > 1e-30 { 1e-17 } else { 1e-28 };
 
     /// Rule with the first nodes.
     #[inline(never)]
     fn new(
-        equations: &'a EllipticEquations<'a, Wide<WORDS>>,
-        landen: &'a Landen<WORDS>,
+        equations: &'a EllipticEquations<'a, F>,
+        landen: &'a Landen<F>,
         nodes: u32,
         pause: &'a mut dyn FnMut(),
     ) -> Self {
         let step = part_of_right_angle(nodes);
-        let mut rule = Self {
-            equations,
-            landen,
-            sums: [Wide::ZERO; 3],
-            nodes,
-            step,
-            changes: [f64::INFINITY; 2],
-            pause,
-        };
-        let ends =
-            add(rule.integrands_at([Wide::ZERO, Wide::ONE]), rule.integrands_at([Wide::ONE, Wide::ZERO]));
+        let mut rule =
+            Self { equations, landen, sums: [F::ZERO; 3], nodes, step, changes: [f64::INFINITY; 2], pause };
+        let ends = add(rule.integrands_at([F::ZERO, F::ONE]), rule.integrands_at([F::ONE, F::ZERO]));
         let inner = rule.sum_nodes(nodes - 1, step);
-        rule.sums = add(ends.map(Wide::halved), inner);
+        rule.sums = add(ends.map(F::halved), inner);
         rule
     }
 
@@ -79,7 +68,7 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     #[inline(never)]
     fn double_nodes(&mut self) -> f64 {
         let [sine, cosine] = self.step;
-        let half_cosine = (Wide::ONE + cosine).halved().sqrt();
+        let half_cosine = (F::ONE + cosine).halved().sqrt();
         let half_step = [sine / half_cosine.doubled(), half_cosine];
         let odd = self.sum_nodes(self.nodes, half_step);
         let difference = add(odd, self.sums.map(|sum| -sum));
@@ -95,10 +84,10 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     }
 
     /// Sums over nodes that are a step apart.
-    fn sum_nodes(&mut self, nodes: u32, first: [Wide<WORDS>; 2]) -> [Wide<WORDS>; 3] {
+    fn sum_nodes(&mut self, nodes: u32, first: [F; 2]) -> [F; 3] {
         let [step_sine, step_cosine] = self.step;
         let [mut sine, mut cosine] = first;
-        let mut sums = [Wide::ZERO; 3];
+        let mut sums = [F::ZERO; 3];
         for _ in 0..nodes {
             sums = add(sums, self.integrands_at([sine, cosine]));
             (sine, cosine) =
@@ -107,15 +96,15 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
         sums
     }
 
-    fn integrands_at(&mut self, angle: [Wide<WORDS>; 2]) -> [Wide<WORDS>; 3] {
+    fn integrands_at(&mut self, angle: [F; 2]) -> [F; 3] {
         (self.pause)();
         self.equations.at(&self.landen.fractions_at_angle(angle))
     }
 
     /// Changes of the time and of ψ_α and ψ_β, relative to the time and to |ψ_α| + |ψ_β|.
-    fn relative(&self, change: [Wide<WORDS>; 3]) -> [f64; 2] {
+    fn relative(&self, change: [F; 3]) -> [f64; 2] {
         let [_, alpha_factor, beta_factor] = self.equations.factors.map(|factor| factor.to_f64().abs());
-        let magnitudes = |sums: [Wide<WORDS>; 3]| {
+        let magnitudes = |sums: [F; 3]| {
             let [time, alpha, beta] = sums.map(|sum| sum.to_f64().abs());
             [time, alpha * alpha_factor + beta * beta_factor]
         };
@@ -127,16 +116,16 @@ impl<'a, const WORDS: usize> TrapezoidRule<'a, WORDS> {
     #[inline(never)]
     fn period(&self, relative_error: f64) -> Period {
         // a node has the weight 2 K over the number of nodes, as both halves are equal
-        let weight = self.landen.quarter_period().doubled() / Wide::from(f64::from(self.nodes));
+        let weight = self.landen.quarter_period().doubled() / F::from_f64(f64::from(self.nodes));
         let [time, alpha, beta] = self.sums;
         let [of_time, of_alpha, of_beta] = self.equations.factors;
         let integrals = [time * of_time, alpha * of_alpha, beta * of_beta];
-        let [time, alpha, beta] = integrals.map(|sum| Extended::resized(sum * weight));
+        let [time, alpha, beta] = integrals.map(|sum| (sum * weight).to_extended());
         Period {
             time,
             psi: [alpha, beta],
             relative_error,
-            operation_error: Wide::<WORDS>::OPERATION_ERROR,
+            operation_error: F::OPERATION_ERROR,
             nodes: self.nodes,
         }
     }
@@ -169,6 +158,7 @@ fn part_of_right_angle<F: Float>(division: u32) -> [F; 2] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::{Extended, Wide};
     use crate::{Complex, InitialAngles, Motion, Orientation, Release, Signs, State, Top, TopParameters};
 
     fn sliding([transverse_inertia, axial_inertia, com_height, mass_moment]: [f64; 4], gravity: f64) -> Top {
@@ -187,8 +177,8 @@ mod tests {
         Motion::launch(top, &State::from_release(release).unwrap()).unwrap()
     }
 
-    fn period<const WORDS: usize>(motion: &Motion) -> Period {
-        Period::integrated(&motion.equations().map(Wide::<WORDS>::from_extended), &mut || {})
+    fn period<F: Float>(motion: &Motion) -> Period {
+        Period::integrated(&motion.equations().map(F::from_extended), &mut || {})
     }
 
     /// ψ_α and ψ_β of this motion converge later than its period: the last changes of one say nothing about the other.
@@ -205,7 +195,7 @@ mod tests {
         let elliptic = EllipticEquations::new(&equations);
         let mut landen = Landen::EMPTY;
         landen.fill(elliptic.parameters, &mut || {});
-        let (nodes, _) = landen.node_counts(TrapezoidRule::<2>::BITS);
+        let (nodes, _) = landen.node_counts(TrapezoidRule::<Extended>::BITS);
         let mut pause = || {};
         let mut rule = TrapezoidRule::new(&elliptic, &landen, nodes, &mut pause);
         while rule.nodes < 2 * first.nodes {
@@ -226,7 +216,7 @@ mod tests {
         for (e, nodes) in [([-1.0, 1.0, 3.9], 64), ([-0.9, 0.999, 3.9], 48), ([-0.9, 0.999, 1.001], 48)] {
             let motion =
                 Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default()).unwrap();
-            assert_eq!(period::<2>(&motion).nodes, nodes, "{e:?}");
+            assert_eq!(period::<Extended>(&motion).nodes, nodes, "{e:?}");
         }
     }
 
@@ -236,7 +226,7 @@ mod tests {
     fn a_slender_top_takes_few_nodes() {
         let release = Release { tilt: 1e-3, spin: 1e-3, ..Release::default() };
         let motion = released(&sliding([1.01e-6, 1e-6, 1.0, 1.0], 1.0), &release);
-        let nodes = period::<2>(&motion).nodes;
+        let nodes = period::<Extended>(&motion).nodes;
         assert!((96..=192).contains(&nodes), "{nodes}");
     }
 
@@ -251,7 +241,7 @@ mod tests {
             let release =
                 Release { tilt: 3.0 * fraction(0.57), spin: 500.0 * fraction(0.327), ..Release::default() };
             let motion = released(&top, &release);
-            let (exact, rounded) = (period::<2>(&motion), period::<1>(&motion));
+            let (exact, rounded) = (period::<Extended>(&motion), period::<Wide<1>>(&motion));
             let sum = |period: &Period| period.psi[0] + period.psi[1];
             let size = exact.psi[0].abs() + exact.psi[1].abs();
             let errors = [(rounded.time - exact.time) / exact.time, (sum(&rounded) - sum(&exact)) / size];

@@ -5,7 +5,7 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::words::{inverse_root_u64, leading, quotient};
 use super::{Exact, Extended, Wide};
-use crate::integer::ldexp;
+use crate::integer::{ldexp, power_of_two};
 use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
@@ -91,12 +91,18 @@ impl<const WORDS: usize> Ring for Wide<WORDS> {
 }
 
 impl<const WORDS: usize> Float for Wide<WORDS> {
+    const OPERATION_ERROR: f64 = 1.1 * power_of_two(-64 * WORDS as i32);
+
     fn from_f64(x: f64) -> Self {
         x.into()
     }
 
     fn from_extended(x: Extended) -> Self {
         Self::resized(x)
+    }
+
+    fn to_extended(self) -> Extended {
+        Extended::resized(self)
     }
 
     /// Nearest `f64`, ties to even; infinity beyond its range, 0 below its normal numbers.

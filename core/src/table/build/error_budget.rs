@@ -23,16 +23,20 @@ pub(super) struct ErrorBudget {
     segment_error: f32,
     /// Error by the dropped terms of a and b, rad.
     dropped_terms_error: f64,
+    /// This error in units of 2^-62.
+    pub(super) dropped_terms: i64,
 }
 
 impl ErrorBudget {
     /// Budget for an allowed truncation error, rad. Series keep the scalar's accuracy even if more is allowed.
     pub(super) fn new<R: TableScalar>(allowed: f64) -> Self {
+        let dropped_terms_error = f64::from(TERMS_FRACTION) * allowed.min(R::TRUNCATION);
         Self {
             path_error: PATH_FRACTION * allowed,
             // finite, so that the error of an overflow, which is infinite, is refused
             segment_error: (((1.0 - PATH_FRACTION) * allowed) as f32).min(f32::MAX),
-            dropped_terms_error: f64::from(TERMS_FRACTION) * allowed.min(R::TRUNCATION),
+            dropped_terms_error,
+            dropped_terms: (dropped_terms_error / TABLE_UNIT) as i64,
         }
     }
 
@@ -53,10 +57,5 @@ impl ErrorBudget {
     /// * `half_length`: half of the span, in half periods
     pub(super) fn negligible_term(&self, half_length: f64) -> f64 {
         LAST_TERM_FACTOR * half_length * self.dropped_terms_error
-    }
-
-    /// Error by the dropped terms of a and b, in units of 2^-62.
-    pub(super) fn dropped_terms_in_units(&self) -> i64 {
-        (self.dropped_terms_error / TABLE_UNIT) as i64
     }
 }

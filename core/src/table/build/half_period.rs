@@ -17,7 +17,7 @@ mod bound;
 use stored_segment::{SegmentBounds, store_polynomial, store_segment};
 
 use super::error_budget::ErrorBudget;
-use super::interval::{HALF_PERIOD, Interval};
+use super::interval::{Interval, SHORTEST_SEGMENTS};
 use super::mean_rates::MeanRates;
 use super::path::launch_phases::LaunchPhases;
 use super::path::polynomial::Polynomial;
@@ -51,7 +51,7 @@ pub(super) struct TooManySegments {
 }
 
 /// Length of a cell, in shortest segments.
-const CELL_LENGTH: usize = HALF_PERIOD / CELLS;
+const CELL_LENGTH: usize = SHORTEST_SEGMENTS / CELLS;
 
 impl HalfPeriod {
     /// Half a period before a set-up. All its bits are 0.
@@ -64,13 +64,13 @@ impl HalfPeriod {
         error: 0.0,
     };
 
-    /// Computes the segments and stores them; refused as soon as they cannot fit.
+    /// Computes the segments and stores them, or without memory only counts them; refused as soon as they cannot fit.
     pub(super) fn compute<R: TableScalar>(
         &mut self,
         motion: &Motion,
         budget: &ErrorBudget,
         scratch: &mut PathScratch,
-        segments: &mut [R::Segment],
+        segments: Option<&mut [R::Segment]>,
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
         *self = Self::ZERO;
@@ -78,11 +78,8 @@ impl HalfPeriod {
         pause();
         // a steady motion has the period of an infinitesimal nutation, which does not count
         let equations = &scratch.equations;
-        let period = match R::PERIOD_WORDS {
-            _ if motion.is_steady() => None,
-            1 => motion.period::<1>(equations, pause),
-            _ => motion.period::<2>(equations, pause),
-        };
+        let period =
+            if motion.is_steady() { None } else { motion.period::<R::SetUpNumber>(equations, pause) };
         self.mean_rates = MeanRates::new(motion, period.as_ref());
         pause();
         match period {
@@ -99,18 +96,18 @@ impl HalfPeriod {
 
     /// Tabulates the motion from u = e₁ to u = e₂.
     ///
-    /// * `length`: half a period, s
+    /// * `duration`: half a period, s
     #[inline(never)]
     fn tabulate_path<R: TableScalar>(
         &mut self,
         motion: &Motion,
-        length: Extended,
+        duration: Extended,
         budget: &ErrorBudget,
         scratch: &mut PathScratch,
-        segments: &mut [R::Segment],
+        segments: Option<&mut [R::Segment]>,
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
-        let mut path = Path::new(scratch, budget, motion, length, self.mean_rates.rates);
+        let mut path = Path::new(scratch, budget, motion, duration, self.mean_rates.rates);
         self.divide::<R>(&mut path, segments, pause)?;
         self.launch_phases = path.launch_phases.phases;
         let [delay, residual] = path.errors();
@@ -120,11 +117,12 @@ impl HalfPeriod {
     }
 
     /// Stores one segment with constant a and b, for a steady motion.
-    fn store_constants<R: TableScalar>(&mut self, motion: &Motion, segments: &mut [R::Segment]) {
+    fn store_constants<R: TableScalar>(&mut self, motion: &Motion, segments: Option<&mut [R::Segment]>) {
         let Ellipses { alpha, beta } = motion.ellipses;
+        let mut first = segments.and_then(|segments| segments.first_mut());
         for (index, ellipse) in [alpha, beta].into_iter().enumerate() {
             let [plus, minus] = ellipse.exponentials();
-            store_polynomial::<R>(segments.first_mut(), index, &Polynomial::constant(plus + minus));
+            store_polynomial::<R>(first.as_deref_mut(), index, &Polynomial::constant(plus + minus));
         }
         self.segment_count = 1;
     }
@@ -132,22 +130,21 @@ impl HalfPeriod {
     /// Divides the half period into cells, and these into segments.
     fn divide<R: TableScalar>(
         &mut self,
-        path: &mut Path<'_, R::PathNumber>,
-        segments: &mut [R::Segment],
+        path: &mut Path<'_, R::SetUpNumber>,
+        segments: Option<&mut [R::Segment]>,
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
-        // without memory for segments, they are only counted
-        let capacity = if segments.is_empty() { MAX_SEGMENTS } else { segments.len() };
+        let capacity = segments.as_ref().map_or(MAX_SEGMENTS, |segments| segments.len());
+        let segments = segments.unwrap_or_default();
         let mut position = 0;
         let mut depth = MIN_DEPTH;
-        while position < HALF_PERIOD {
+        while position < SHORTEST_SEGMENTS {
             // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
             depth = (depth - 1).max(MIN_DEPTH + (position / CELL_LENGTH % 2) as u32);
-            path.begin_cell(position, depth);
+            let start = path.begin_cell(position, depth);
             let (cell, bounds) = loop {
-                path.rewind(position);
                 let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
-                let remainder = (HALF_PERIOD - cell.end()).div_ceil(HALF_PERIOD >> MIN_DEPTH);
+                let remainder = (SHORTEST_SEGMENTS - cell.end()).div_ceil(SHORTEST_SEGMENTS >> MIN_DEPTH);
                 let count = self.segment_count + cell.part_count(depth) + remainder;
                 if depth > Cell::MAX_DEPTH || count > capacity {
                     return Err(TooManySegments { segments: capacity as u32 });
@@ -155,6 +152,7 @@ impl HalfPeriod {
                 if let Some(bounds) = self.fill_cell::<R>(cell, depth, path, segments, pause) {
                     break (cell, bounds);
                 }
+                path.rewind(position, start);
                 depth += 1;
             };
             let Cell(entry) = Cell::new(self.segment_count, position >> (Cell::MAX_DEPTH - depth), depth);
@@ -162,7 +160,7 @@ impl HalfPeriod {
                 .iter_mut()
                 .skip(position / CELL_LENGTH)
                 .take(cell.length() / CELL_LENGTH)
-                .for_each(|cell| *cell = entry);
+                .for_each(|stored| *stored = entry);
             self.segment_count += cell.part_count(depth);
             self.bounds.include(&bounds);
             position = cell.end();
@@ -177,14 +175,14 @@ impl HalfPeriod {
         &mut self,
         cell: Interval,
         depth: u32,
-        path: &mut Path<'_, R::PathNumber>,
+        path: &mut Path<'_, R::SetUpNumber>,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<SegmentBounds> {
         let mut bounds = SegmentBounds::ZERO;
         for (segment, number) in cell.parts(depth).zip(self.segment_count..) {
             let span = path.span_at(segment.begin, depth, pause)?;
-            bounds.include(&store_segment::<R>(path, span, segment, segments.get_mut(number), pause));
+            bounds.include(&store_segment::<R>(span, segment, segments.get_mut(number), pause));
             let is_accurate = bounds.error <= path.budget.segment_error_at(depth);
             if !is_accurate {
                 return None;

@@ -4,8 +4,8 @@ use crate::integer::power_of_two;
 use crate::phase::Phase;
 use crate::table::data::cell::Cell;
 
-/// Length of half a period, in shortest segments.
-pub(super) const HALF_PERIOD: usize = 1 << Cell::MAX_DEPTH;
+/// Number of shortest segments in half a period, the unit of positions.
+pub(super) const SHORTEST_SEGMENTS: usize = 1 << Cell::MAX_DEPTH;
 
 /// One of the 2^depth equal parts of half a period: a span, a cell or a segment. Positions are in shortest segments.
 #[derive(Clone, Copy, Debug)]
@@ -16,7 +16,7 @@ pub(super) struct Interval {
 
 impl Interval {
     pub(super) fn length(self) -> usize {
-        HALF_PERIOD >> self.depth
+        SHORTEST_SEGMENTS >> self.depth
     }
 
     pub(super) fn end(self) -> usize {
@@ -43,7 +43,7 @@ impl Interval {
     /// Equal parts of this depth.
     pub(super) fn parts(self, depth: u32) -> impl Iterator<Item = Self> {
         (0..self.part_count(depth))
-            .map(move |index| Self { begin: self.begin + index * (HALF_PERIOD >> depth), depth })
+            .map(move |index| Self { begin: self.begin + index * (SHORTEST_SEGMENTS >> depth), depth })
     }
 }
 
@@ -53,9 +53,9 @@ mod tests {
 
     #[test]
     fn a_span_has_the_phases_of_its_position() {
-        let second = Interval { begin: HALF_PERIOD / 4, depth: 2 };
+        let second = Interval { begin: SHORTEST_SEGMENTS / 4, depth: 2 };
         assert_eq!((second.phase(-1.0), second.phase(1.0)), (Phase::from_bits(1 << 93), Phase::QUARTER));
-        let last = Interval { begin: HALF_PERIOD - 1, depth: Cell::MAX_DEPTH };
-        assert_eq!((last.end(), last.phase(1.0)), (HALF_PERIOD, Phase::HALF));
+        let last = Interval { begin: SHORTEST_SEGMENTS - 1, depth: Cell::MAX_DEPTH };
+        assert_eq!((last.end(), last.phase(1.0)), (SHORTEST_SEGMENTS, Phase::HALF));
     }
 }

@@ -84,7 +84,7 @@ mod tests {
     #[test]
     fn the_error_of_the_quadrature_is_in_every_rate() {
         let motion = nutating_motion();
-        let exact = motion.period::<2>(&motion.equations(), &mut || {}).unwrap();
+        let exact = motion.period::<Extended>(&motion.equations(), &mut || {}).unwrap();
         let rough = Period { relative_error: 1e-3, ..exact };
         let frequency = 1.0 / exact.time.to_f64();
         let psi: f64 = exact.psi.iter().map(|angle| Float::abs(angle.radians_to_turns().to_f64())).sum();

@@ -27,7 +27,7 @@ const MIN_SPAN_DEPTH: u32 = 2;
 
 /// Point of the path.
 #[derive(Clone, Copy, Debug)]
-struct PathPoint {
+pub(super) struct PathPoint {
     phases: PathPhases,
     /// Truncation and rounding errors of the steps to it, rad.
     error: f64,
@@ -41,20 +41,20 @@ impl PathPoint {
 /// Phase equations of a motion along half a period.
 struct PathEquations<F> {
     equations: PhaseEquations<F>,
-    /// Half period, s.
-    half_period: F,
-    /// Residual rates minus ψ_α' and ψ_β', rad/s.
+    rounded: PhaseEquations<f64>,
+    /// Duration of half a period, s.
+    duration: F,
+    /// Residual rates minus ψ_α' and ψ_β', rad per half period.
     residual_offsets: [F; 2],
 }
 
 impl<F: Float> PathEquations<F> {
-    /// Rates of χ, ψ_α, ψ_β, ρ_α and ρ_β, rad per half period.
     fn rates(&self, sine: f64, cosine: f64) -> [f64; 5] {
         let PhaseRates { chi, psi_alpha, psi_beta } =
             self.equations.rates(F::from_f64(sine), F::from_f64(cosine));
+        let [chi, psi_alpha, psi_beta] = [chi, psi_alpha, psi_beta].map(|rate| self.duration * rate);
         let [alpha, beta] = self.residual_offsets;
-        [chi, psi_alpha, psi_beta, psi_alpha + alpha, psi_beta + beta]
-            .map(|rate| (self.half_period * rate).to_f64())
+        [chi, psi_alpha, psi_beta, psi_alpha + alpha, psi_beta + beta].map(F::to_f64)
     }
 }
 
@@ -66,9 +66,9 @@ pub(super) struct PathScratch {
     /// Rates and value of an exponential in a or b.
     exponential: [PowerSeries; 4],
     /// Polynomials of a and b on the span.
-    pub(super) polynomials: [Polynomial; 2],
+    polynomials: [Polynomial; 2],
     /// Polynomial of a or b on a segment.
-    pub(super) segment: Polynomial,
+    segment: Polynomial,
 }
 
 impl PathScratch {
@@ -86,10 +86,31 @@ impl PathScratch {
     }
 }
 
+/// Part of the path with one expansion of the motion.
+pub(super) struct Span<'a> {
+    interval: Interval,
+    /// Upper bound on the rates of the residual phases, rad per half period.
+    pub(super) residual_rate: f32,
+    polynomials: &'a [Polynomial; 2],
+    segment: &'a mut Polynomial,
+    /// Greatest error by dropped terms, in units of 2^-62.
+    dropped_terms: i64,
+}
+
+impl Span<'_> {
+    /// Polynomial of a (index 0) or b (1) on a segment of the span.
+    pub(super) fn polynomial_on(&mut self, segment: Interval, index: usize) -> Option<&mut Polynomial> {
+        let halvings = segment.depth - self.interval.depth;
+        let part = segment.begin / segment.length();
+        self.segment.restrict(self.polynomials.get(index)?, part, halvings, self.dropped_terms);
+        Some(self.segment)
+    }
+}
+
 /// Path with phase equations in `F`, and its span with polynomials of a and b in scratch memory.
 pub(super) struct Path<'a, F> {
     equations: PathEquations<F>,
-    pub(super) scratch: &'a mut PathScratch,
+    scratch: &'a mut PathScratch,
     pub(super) budget: &'a ErrorBudget,
     /// Coefficients of the exponentials in a and in b.
     exponentials: [[f64; 2]; 2],
@@ -100,8 +121,6 @@ pub(super) struct Path<'a, F> {
     span: Option<Interval>,
     /// End of the span.
     end: PathPoint,
-    /// Beginning of the cell that is filled.
-    cell_start: PathPoint,
     /// Least depth of the next span.
     next_span_depth: u32,
 }
@@ -109,19 +128,22 @@ pub(super) struct Path<'a, F> {
 impl<'a, F: Float> Path<'a, F> {
     /// Path from u = e₁ on. The scratch memory has the equations of the motion.
     ///
+    /// * `duration`: duration of half a period, s
     /// * `rates`: mean rates, turns/s
     pub(super) fn new(
         scratch: &'a mut PathScratch,
         budget: &'a ErrorBudget,
         motion: &Motion,
-        half_period: Extended,
+        duration: Extended,
         rates: Phases<Extended>,
     ) -> Self {
         let Phases { alpha, beta, .. } = rates.map(|rate| Extended::TWO_PI * rate);
         let equations = PathEquations {
             equations: scratch.equations.map(F::from_extended),
-            half_period: F::from_extended(half_period),
-            residual_offsets: [motion.half_tau - alpha, -motion.half_tau - beta].map(F::from_extended),
+            rounded: scratch.equations.map(Float::to_f64),
+            duration: F::from_extended(duration),
+            residual_offsets: [motion.half_tau - alpha, -motion.half_tau - beta]
+                .map(|rate| F::from_extended(duration * rate)),
         };
         let [first, last] = [(0.0, 1.0), (1.0, 0.0)].map(|(sine, cosine)| {
             let [chi, _, _, alpha, beta] = equations.rates(sine, cosine).map(Float::abs);
@@ -137,40 +159,34 @@ impl<'a, F: Float> Path<'a, F> {
             launch_phases: LaunchPhases::new(motion),
             span: None,
             end: PathPoint::FIRST,
-            cell_start: PathPoint::FIRST,
             next_span_depth: MIN_SPAN_DEPTH,
         }
     }
 
-    /// Begins a cell. Its first span may be as long as a segment of this depth, if the last series would converge on it.
-    pub(super) fn begin_cell(&mut self, position: usize, depth: u32) {
-        self.cell_start = match self.span.filter(|span| position < span.end()) {
+    /// Beginning of a cell. Its first span may be as long as a segment of this depth, if the last series would converge on it.
+    pub(super) fn begin_cell(&mut self, position: usize, depth: u32) -> PathPoint {
+        if self.scratch.expansion.may_double() {
+            self.next_span_depth = self.next_span_depth.min(depth);
+        }
+        match self.span.filter(|span| position < span.end()) {
             Some(span) => {
                 let x = 2.0 * ((position - span.begin) as f64 / span.length() as f64) - 1.0;
                 PathPoint { phases: self.scratch.expansion.at(x).0, error: self.end.error }
             }
             None => self.end,
-        };
-        if self.scratch.expansion.may_double() {
-            self.next_span_depth = self.next_span_depth.min(depth);
         }
     }
 
-    /// Returns to the beginning of the cell, at this position, unless the span contains it.
-    pub(super) fn rewind(&mut self, position: usize) {
+    /// Returns to the beginning of a cell, at this position, unless the span contains it.
+    pub(super) fn rewind(&mut self, position: usize, cell_start: PathPoint) {
         if !self.is_in_span(position) {
             self.span = None;
-            self.end = self.cell_start;
+            self.end = cell_start;
         }
     }
 
     fn is_in_span(&self, position: usize) -> bool {
         self.span.is_some_and(|span| (span.begin..span.end()).contains(&position))
-    }
-
-    /// Upper bound on the rates of the residual phases on the span, rad per half period.
-    pub(super) fn residual_rate(&self, span: Interval) -> f32 {
-        self.scratch.expansion.greatest_residual_rate() * (2_u32 << span.depth) as f32
     }
 
     /// Span at a position: the present one, or the next one, which begins there. `None` if no depth up to `max_depth` is accurate.
@@ -179,7 +195,7 @@ impl<'a, F: Float> Path<'a, F> {
         position: usize,
         max_depth: u32,
         pause: &mut dyn FnMut(),
-    ) -> Option<Interval> {
+    ) -> Option<Span<'_>> {
         if !self.is_in_span(position) {
             let point = self.end;
             let depth = self.next_span_depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
@@ -192,7 +208,15 @@ impl<'a, F: Float> Path<'a, F> {
                 self.next_span_depth = depth + 1;
             }
         }
-        self.span
+        let interval = self.span?;
+        let PathScratch { expansion, polynomials, segment, .. } = &mut *self.scratch;
+        Some(Span {
+            interval,
+            residual_rate: expansion.greatest_residual_rate() * (2_u32 << interval.depth) as f32,
+            polynomials,
+            segment,
+            dropped_terms: self.budget.dropped_terms,
+        })
     }
 
     /// Expands the motion around the centre of a span, computes the polynomials of a and b, and searches for the launch; `None` if they are not
@@ -201,7 +225,7 @@ impl<'a, F: Float> Path<'a, F> {
         let centre = self.step(span, beginning, pause)?;
         self.end = self.step(span, centre, pause)?;
         let PathScratch { expansion, exponential, polynomials, .. } = &mut *self.scratch;
-        let least = self.budget.dropped_terms_in_units();
+        let least = self.budget.dropped_terms;
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
             pause();
             *polynomial = Polynomial::ZERO;
@@ -223,14 +247,14 @@ impl<'a, F: Float> Path<'a, F> {
         let unit = 4.0 * half_length;
         let allowed = half_length * self.budget.path_error;
         let (sine, cosine) = f64::sine_cosine(from.phases.chi);
-        let PathEquations { equations, half_period, .. } = &self.equations;
+        let PathEquations { rounded, duration, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =
             self.equations.rates(sine, cosine).map(|rate| unit * rate);
         let origin = ExpansionPoint {
             phases: from.phases,
             sine,
             cosine,
-            time_per_y: unit * half_period.to_f64(),
+            time_per_y: unit * duration.to_f64(),
             chi_rate,
             psi_rates: [alpha, beta],
             residual_rates: [residual_alpha, residual_beta],
@@ -238,7 +262,7 @@ impl<'a, F: Float> Path<'a, F> {
             negligible: self.budget.negligible_term(half_length),
         };
         let expansion = &mut self.scratch.expansion;
-        expansion.expand(&equations.map(F::to_f64), &origin, pause);
+        expansion.expand(rounded, &origin, pause);
         pause();
         let truncation = expansion.truncation_error();
         (truncation <= allowed).then(|| {

@@ -96,12 +96,12 @@ impl Workspace {
     }
 }
 
-/// Computes the segments of half a period. Stores them, or only counts them if there is no memory for any.
+/// Computes the segments of half a period and stores them, or without memory only counts them.
 fn tabulate<R: TableScalar>(
     motion: &Motion,
     truncation: f64,
     workspace: &mut Workspace,
-    segments: &mut [R::Segment],
+    segments: Option<&mut [R::Segment]>,
     pause: &mut dyn FnMut(),
 ) -> Result<(), SetUpError> {
     let positive = truncation > 0.0 && truncation < f64::INFINITY;
@@ -147,7 +147,7 @@ impl<R: TableScalar> Table<R> {
         pause: &mut dyn FnMut(),
     ) -> Result<(), SetUpError> {
         let truncation = settings.truncation.unwrap_or(R::TRUNCATION);
-        tabulate::<R>(motion, truncation, workspace, &mut self.segments, pause)?;
+        tabulate::<R>(motion, truncation, workspace, Some(&mut self.segments), pause)?;
         self.write_header(&workspace.half_period, motion, settings, pause);
         Ok(())
     }
@@ -193,7 +193,7 @@ impl<R: TableScalar, S: ?Sized> Table<R, S> {
     /// [`SetUpError`]; the table is too small if 4096 segments are too few.
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Result<u32, SetUpError> {
         let workspace = &mut Workspace::new();
-        tabulate::<R>(motion, truncation, workspace, &mut [], &mut || {})?;
+        tabulate::<R>(motion, truncation, workspace, None, &mut || {})?;
         Ok(workspace.half_period.segment_count.max(MIN_SEGMENTS) as u32)
     }
 }

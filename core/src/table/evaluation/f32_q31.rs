@@ -8,7 +8,7 @@
 
 use crate::complex::Complex;
 use crate::integer::{high_product, high_product_limited, product_32x16, shifted_right};
-use crate::scalar::{Q30, Scalar, sine_cosine_q26};
+use crate::scalar::{Q30, Scalar, Wide, sine_cosine_q26};
 use crate::su2::Vector;
 use crate::table::evaluation::omega_q30::omega_body;
 use crate::table::evaluation::rounding::{TABLE_BITS, short_product_bound};
@@ -32,7 +32,7 @@ impl TableScalar for f32 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
     type Quantity = Self;
-    type PathNumber = f64;
+    type SetUpNumber = Wide<1>;
 
     const CODE: u32 = 32;
     const TERMS: usize = 5;
@@ -62,7 +62,7 @@ impl TableScalar for I2F30 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];
     type Quantity = f32;
-    type PathNumber = f64;
+    type SetUpNumber = Wide<1>;
 
     const CODE: u32 = 31;
     const TERMS: usize = 4;

@@ -10,12 +10,11 @@ impl TableScalar for f64 {
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Quantity = Self;
-    type PathNumber = Extended;
+    type SetUpNumber = Extended;
 
     const CODE: u32 = 64;
     const TERMS: usize = 11;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
-    const PERIOD_WORDS: usize = 2;
     const ERRORS: TickErrors = TickErrors {
         orientation: 24.0 * <Self as Scalar>::ROUNDING,
         per_half_segment: 0.0,

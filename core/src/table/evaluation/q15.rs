@@ -2,7 +2,7 @@
 
 use crate::complex::Complex;
 use crate::integer::shifted_right;
-use crate::scalar::{Q30, sine_cosine_q15};
+use crate::scalar::{Q30, Wide, sine_cosine_q15};
 use crate::su2::Vector;
 use crate::table::evaluation::f32_q31::{COORDINATE_ERROR, ERRORS_Q30};
 use crate::table::evaluation::omega_q30::omega_body;
@@ -17,7 +17,7 @@ impl TableScalar for I2F14 {
     type Coefficient = i16;
     type Segment = [[i16; 4]; 3];
     type Quantity = f32;
-    type PathNumber = f64;
+    type SetUpNumber = Wide<1>;
 
     const CODE: u32 = 15;
     const TERMS: usize = 3;

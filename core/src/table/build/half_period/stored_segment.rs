@@ -2,8 +2,8 @@
 
 use crate::scalar::{Float, Ring};
 use crate::table::build::interval::Interval;
+use crate::table::build::path::Span;
 use crate::table::build::path::polynomial::Polynomial;
-use crate::table::build::path::{Path, PathScratch};
 use crate::table::evaluation::Coefficient;
 use crate::table::evaluation::TableScalar;
 use crate::table::evaluation::rounding::TABLE_UNIT;
@@ -67,28 +67,18 @@ impl SegmentBounds {
     }
 }
 
-/// Computes the polynomials of a and b on a segment, and stores them if the table has the segment.
-///
-/// * `span`: span of the path that contains the segment
+/// Computes the polynomials of a and b on a segment of a span, and stores them if the table has the segment.
 pub(super) fn store_segment<R: TableScalar>(
-    path: &mut Path<'_, R::PathNumber>,
-    span: Interval,
+    mut span: Span<'_>,
     segment: Interval,
     mut stored_segment: Option<&mut R::Segment>,
     pause: &mut dyn FnMut(),
 ) -> SegmentBounds {
-    let PathScratch { polynomials, segment: polynomial, .. } = &mut *path.scratch;
-    let halvings = segment.depth - span.depth;
     let mut short_product_error = 0.0_f32;
     let mut truncation_squared = 0.0;
     let mut slope_squared = 0.0;
-    for (index, whole) in polynomials.iter().enumerate() {
-        polynomial.restrict(
-            whole,
-            segment.begin / segment.length(),
-            halvings,
-            path.budget.dropped_terms_in_units(),
-        );
+    for index in 0..2 {
+        let Some(polynomial) = span.polynomial_on(segment, index) else { continue };
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
@@ -104,7 +94,7 @@ pub(super) fn store_segment<R: TableScalar>(
     SegmentBounds {
         error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + short_product_error,
         angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_per_half_period,
-        residual_rate: path.residual_rate(span),
+        residual_rate: span.residual_rate,
         x_per_half_period,
     }
 }

@@ -4,7 +4,7 @@ use super::expansion::{Expansion, PathPhases};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::Scalar;
-use crate::table::build::interval::{HALF_PERIOD, Interval};
+use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::data::Phases;
 
 /// Nutation phase and mean phases of a launch, which are known once the path has reached its χ.
@@ -35,7 +35,7 @@ impl LaunchPhases {
         // a turning point is an end of the half period exactly
         let x = match chi {
             Phase::ZERO => -1.0,
-            _ if (chi == Phase::QUARTER || end < chi) && span.end() < HALF_PERIOD => return,
+            _ if (chi == Phase::QUARTER || end < chi) && span.end() < SHORTEST_SEGMENTS => return,
             Phase::QUARTER => 1.0,
             _ => coordinate_of(expansion, chi),
         };

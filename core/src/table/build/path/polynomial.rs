@@ -96,7 +96,7 @@ impl Polynomial {
         self.terms = terms;
         let [re, im] = self.parts.each_ref().map(RealPolynomial::remainder);
         let remainder = 2.0 * re.larger_or_nan(im);
-        let most = budget.dropped_terms_in_units();
+        let most = budget.dropped_terms;
         if !budget.is_negligible_remainder(remainder) {
             return None;
         }
