@@ -5,7 +5,8 @@ use crate::motion::{call_of, toytop_motion, toytop_pause};
 use crate::status::{Refusal, status_of, toytop_error, toytop_status};
 use crate::table::*;
 use core::ffi::c_void;
-use toytop::{Motion, Table, TableScalar, TableSettings, Tick, Workspace};
+use toytop::{Motion, TableScalar, TableSettings, Tick, Workspace};
+use toytop_c_set_up::{F32, F64, Q31, SetUp};
 
 opaque! {
 /// Bytes of the workspace of a set-up.
@@ -47,11 +48,6 @@ pub struct toytop_settings {
     pub context: *mut c_void,
 }
 
-/// Truncation error that was chosen; `None` for the default of the scalar.
-fn chosen(truncation: f64) -> Option<f64> {
-    (truncation != 0.0).then_some(truncation)
-}
-
 /// Sets up a table in memory of the caller, which need not be initialised.
 ///
 /// # Safety
@@ -62,21 +58,22 @@ unsafe fn set_up<R: TableScalar>(
     size: usize,
     motion: *const toytop_motion,
     settings: *const toytop_settings,
+    compiled: &SetUp<R>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers.
     let (table, motion, settings): (_, Motion, _) =
         unsafe { (empty_table::<R>(table, size)?, load(motion)?, read(settings)?) };
     let toytop_settings { tick, epoch, truncation, workspace, pause, context } = settings;
     let tick = Tick::ratio(tick.ticks, tick.seconds)?;
-    let settings = TableSettings { tick, epoch, truncation: chosen(truncation) };
+    let settings = TableSettings { tick, epoch, truncation: (truncation != 0.0).then_some(truncation) };
     // SAFETY: the caller guarantees that the pause may be called.
     let mut pause = unsafe { call_of(pause, context) };
     let mut set_up = |workspace: &mut Workspace| -> Result<(), Refusal> {
-        table.set_up(workspace, &motion, settings, &mut pause)?;
+        (compiled.set_up)(table, workspace, &motion, settings, &mut pause)?;
         Ok(())
     };
     if workspace.is_null() {
-        return with_workspace_on_stack(&mut set_up);
+        return with_workspace_on_stack(set_up);
     }
     if !workspace.is_aligned() {
         return Err(toytop_status::TOYTOP_BAD_MEMORY.into());
@@ -95,7 +92,7 @@ unsafe fn set_up<R: TableScalar>(
 // apart, so that a set-up in the caller's workspace does not reserve stack for another one
 #[inline(never)]
 fn with_workspace_on_stack(
-    set_up: &mut dyn FnMut(&mut Workspace) -> Result<(), Refusal>,
+    set_up: impl FnOnce(&mut Workspace) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     set_up(&mut Workspace::new())
 }
@@ -118,7 +115,7 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
     error: *mut toytop_error,
 ) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers.
-    unsafe { status_of(error, || set_up::<$scalar>(table.cast(), size, motion, settings)) }
+    unsafe { status_of(error, || set_up(table.cast(), size, motion, settings, &[<$name:upper>])) }
 }
 
 /// Number of segments of a table that is enough for a motion; 0 if 4096, the largest number, are not, or if `set_up` would refuse. A
@@ -128,10 +125,9 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toytop_motion, truncation: f64) -> u32 {
     // SAFETY: the caller guarantees a valid pointer.
-    let motion: Result<Motion, Refusal> = unsafe { load(motion) };
-    let truncation = chosen(truncation).unwrap_or(<$scalar>::TRUNCATION);
-    let needed = |motion| Table::<$scalar>::segments_needed(&motion, truncation).ok();
-    motion.ok().and_then(needed).unwrap_or(0)
+    let motion = unsafe { load(motion) }.ok();
+    let truncation = if truncation == 0.0 { <$scalar>::TRUNCATION } else { truncation };
+    motion.and_then(|motion| ([<$name:upper>].segments_needed)(&motion, truncation).ok()).unwrap_or(0)
 }
 
     } };

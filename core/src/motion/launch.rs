@@ -36,7 +36,7 @@ impl Motion {
 
     /// Motion from a state, with pauses for other work.
     ///
-    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+)
+    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (90 000 if compiled for size, 200 000 of a Cortex-M0+)
     ///
     /// ```
     /// use toytop::{Motion, Release, State, Top, TopParameters};

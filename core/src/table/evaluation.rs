@@ -81,9 +81,12 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
         + 'static;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Quantity: Real;
-    /// Number type of a set-up, of 64 bits, or of 128 for `f64`.
+    /// Number type in which a set-up integrates the period, of 64 bits, or of 128 for `f64`.
     #[doc(hidden)]
-    type SetUpNumber: Float;
+    type PeriodNumber: Float;
+    /// Number type of the rates along the path of a set-up. `Extended` for `f64`, because a residual phase may be below 1e-16.
+    #[doc(hidden)]
+    type PathNumber: Float;
 
     /// Code of the scalar in [the table format](crate::table_format).
     const CODE: u32;

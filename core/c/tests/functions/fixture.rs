@@ -61,9 +61,9 @@ pub(crate) fn motion() -> Motion {
     Motion::launch(&Top::sliding(&TopParameters::TOY).expect("a top"), &state()).expect("a motion")
 }
 
-/// Table of this motion by the crate.
-pub(crate) fn table() -> SizedTable<f64, 48> {
-    SizedTable::new(&motion(), Tick::hertz(10).expect("a tick")).expect("it fits")
+/// Table of a motion by the crate.
+pub(crate) fn table_of(motion: &Motion) -> SizedTable<f64, 48> {
+    SizedTable::new(motion, Tick::hertz(10).expect("a tick")).expect("it fits")
 }
 
 /// Pause that counts its calls.
@@ -71,12 +71,19 @@ pub(crate) unsafe extern "C" fn count(calls: *mut c_void) {
     unsafe { *calls.cast::<u32>() += 1 };
 }
 
-/// Motion of a top with this release.
+/// State of a release.
+pub(crate) fn released(release: &toytop_release) -> toytop_state {
+    output_of(|to| unsafe { toytop_state_from_release(release, to, null_mut()) })
+}
+
+/// Motion of a top with the release of the tests.
 pub(crate) fn launched(top: &toytop_top) -> toytop_motion {
-    unsafe {
-        let state = output_of(|to| toytop_state_from_release(&RELEASE, to, null_mut()));
-        output_of(|to| toytop_launch(top, &state, to, null_mut()))
-    }
+    output_of(|to| unsafe { toytop_launch(top, &released(&RELEASE), to, null_mut()) })
+}
+
+/// Constants of a motion.
+pub(crate) fn constants_of(motion: &toytop_motion) -> toytop_constants {
+    output_of(|to| unsafe { toytop_motion_constants(motion, to) })
 }
 
 /// Table in `f64` of a motion that is launched at tick 0, at 10 ticks a second: more than one turning point a tick.

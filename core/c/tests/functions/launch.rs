@@ -1,12 +1,13 @@
 //! Tests of tops, impulses and launches.
 
 use crate::fixture::{
-    self, RELEASE, SETTINGS, TOP, count, f64_table, launched, motion, numbers, output_of, state, text,
+    self, RELEASE, TOP, constants_of, count, f64_table, launched, motion, numbers, output_of, released,
+    state, table_of, text,
 };
 use core::ffi::CStr;
-use core::mem::{MaybeUninit, size_of};
+use core::mem::MaybeUninit;
 use core::ptr::null_mut;
-use toytop::{Level, Motion, PointImpulse, Release, SizedTable, State, Tick, Top, TopParameters};
+use toytop::{Level, Motion, PointImpulse, Release, State, Top, TopParameters};
 use toytop_c::toytop_status::*;
 use toytop_c::*;
 
@@ -17,43 +18,33 @@ fn each_refused_top_has_a_text() {
         (toytop_top { rotor_momentum: -1e9, ..TOP }, "rotor_momentum: must be at most 1e12"),
         (toytop_top { support: TOYTOP_FREE, gravity: f64::NAN, ..TOP }, "gravity: must be a finite number"),
     ] {
-        let why = refusal(top);
+        let mut motion = MaybeUninit::uninit();
+        let mut why = MaybeUninit::uninit();
+        let (state, place) = (released(&RELEASE), motion.as_mut_ptr());
+        let why = unsafe {
+            assert_ne!(toytop_launch(&top, &state, place, why.as_mut_ptr()), TOYTOP_OK);
+            why.assume_init()
+        };
         assert!(text(&why).starts_with(line), "{}", text(&why));
     }
     let text = |status| unsafe { CStr::from_ptr(toytop_status_text(status)) };
     assert_eq!([8, 9].map(text), [c"an aperiodic motion has no table", c"not a status of toytop"]);
 }
 
-/// Reason for which a top is refused.
-fn refusal(top: toytop_top) -> toytop_error {
-    let mut motion = MaybeUninit::uninit();
-    unsafe {
-        let state = output_of(|to| toytop_state_from_release(&RELEASE, to, null_mut()));
-        let mut why = MaybeUninit::uninit();
-        assert_ne!(toytop_launch(&top, &state, motion.as_mut_ptr(), why.as_mut_ptr()), TOYTOP_OK);
-        why.assume_init()
-    }
-}
-
 #[test]
 fn an_impulse_starts_another_motion() {
-    let state =
-        State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).expect("a release");
-    let (impulse, point) = ([0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]);
-    let struck = state.with_impulse(motion().top(), &PointImpulse { impulse, point }).expect("a stroke");
-    let release = toytop_release { azimuth: 0.0, precession: 0.0, ..RELEASE };
+    let (state, impulse, point) = (state(), [0.0, 2e-3, 0.0], [0.025, 0.0, 0.03]);
+    let stroke = PointImpulse { impulse, point };
+    let struck = state.with_impulse(motion().top(), &stroke).expect("a stroke");
     unsafe {
-        let from = &output_of(|to| toytop_state_from_release(&release, to, null_mut()));
+        let from = &released(&RELEASE);
         let after =
             output_of(|to| toytop_impulse(&TOP, from, impulse.as_ptr(), point.as_ptr(), to, null_mut()));
         assert_eq!(after.omega, struck.omega());
         let reaction = output_of(|to: *mut [f64; 3]| {
             toytop_reaction_impulse(&TOP, from, impulse.as_ptr(), point.as_ptr(), to.cast(), null_mut())
         });
-        assert_eq!(
-            reaction,
-            state.reaction_impulse(motion().top(), &PointImpulse { impulse, point }).expect("an answer")
-        );
+        assert_eq!(reaction, state.reaction_impulse(motion().top(), &stroke).expect("an answer"));
     }
 }
 
@@ -62,21 +53,14 @@ fn free_bodies_and_rotors_are_those_of_the_crate() {
     let parameters = TopParameters { rotor_momentum: -1.5e-3, ..TopParameters::TOY };
     for (support, top) in [(TOYTOP_FREE, Top::free(&parameters)), (TOYTOP_SLIDING, Top::sliding(&parameters))]
     {
-        let motion = Motion::launch(&top.expect("a top"), &state()).expect("a motion");
-        let expected =
-            SizedTable::<f32, 25>::new(&motion, Tick::hertz(10).expect("a tick")).expect("it fits");
+        let expected = table_of(&Motion::launch(&top.expect("a top"), &state()).expect("a motion"));
         let motion = launched(&toytop_top { support, rotor_momentum: -1.5e-3, ..TOP });
-        let mut table = MaybeUninit::uninit();
-        let table = table.as_mut_ptr();
-        let q = unsafe {
-            let size = size_of::<toytop_table_f32>();
-            assert_eq!(toytop_f32_set_up(table, size, &motion, &SETTINGS, null_mut()), TOYTOP_OK);
-            let constants = output_of(|to| toytop_motion_constants(&motion, to));
-            assert_eq!(constants.min_normal_force.is_nan(), support == TOYTOP_FREE);
-            assert_eq!(constants.e3.is_infinite(), support == TOYTOP_FREE);
-            let now = output_of(|to| toytop_f32_at_tick(table, 777, to));
-            numbers(|to| toytop_f32_quaternion(&now, to))
-        };
+        let constants = constants_of(&motion);
+        assert_eq!(constants.min_normal_force.is_nan(), support == TOYTOP_FREE);
+        assert_eq!(constants.e3.is_infinite(), support == TOYTOP_FREE);
+        let table = f64_table(&motion);
+        let now = output_of(|to| unsafe { toytop_f64_at_tick(&*table, 777, to) });
+        let q: [f64; 4] = numbers(|to| unsafe { toytop_f64_quaternion(&now, to) });
         assert_eq!(q, expected.at_tick(777).quaternion());
     }
 }
@@ -90,9 +74,8 @@ fn a_lift_off_is_that_of_the_crate() {
         .expect("a motion");
     let level = Level::lift_off(&motion).expect("a lift-off");
     unsafe {
-        let state = output_of(|to| toytop_state_from_release(&release, to, null_mut()));
-        let motion = output_of(|to| toytop_launch(&TOP, &state, to, null_mut()));
-        let constants = output_of(|to| toytop_motion_constants(&motion, to));
+        let motion = output_of(|to| toytop_launch(&TOP, &released(&release), to, null_mut()));
+        let constants = constants_of(&motion);
         assert_eq!(constants.lift_off_tilt, level.tilt());
         let table = &*f64_table(&motion);
         let mut events = output_of(|to| toytop_f64_crossings(table, constants.lift_off_tilt, 0, to));
@@ -101,7 +84,7 @@ fn a_lift_off_is_that_of_the_crate() {
         let axis: [f64; 3] = numbers(|to| toytop_f64_axis(&now, to));
         assert!((axis[2] - level.u()).abs() < 1e-14, "{axis:?}");
         let free = launched(&toytop_top { support: TOYTOP_FREE, ..TOP });
-        assert!(output_of(|to| toytop_motion_constants(&free, to)).lift_off_tilt.is_nan());
+        assert!(constants_of(&free).lift_off_tilt.is_nan());
     }
 }
 
@@ -109,13 +92,11 @@ fn a_lift_off_is_that_of_the_crate() {
 fn pauses_do_not_change_a_motion() {
     let mut calls = 0_u32;
     let context = (&raw mut calls).cast();
-    let with_pauses = unsafe {
-        let state = output_of(|to| toytop_state_from_release(&RELEASE, to, null_mut()));
-        output_of(|to| toytop_launch_with_pauses(&TOP, &state, Some(count), context, to, null_mut()))
-    };
+    let state = released(&RELEASE);
+    let with_pauses = output_of(|to| unsafe {
+        toytop_launch_with_pauses(&TOP, &state, Some(count), context, to, null_mut())
+    });
     assert!(calls > 5, "{calls} calls");
-    let constants = |motion: &toytop_motion| -> toytop_constants {
-        unsafe { output_of(|to| toytop_motion_constants(motion, to)) }
-    };
-    assert_eq!(format!("{:?}", constants(&with_pauses)), format!("{:?}", constants(&launched(&TOP))));
+    let [paused, other] = [with_pauses, launched(&TOP)].map(|motion| format!("{:?}", constants_of(&motion)));
+    assert_eq!(paused, other);
 }

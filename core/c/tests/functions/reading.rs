@@ -1,6 +1,6 @@
 //! Tests of the reading of a table: every quantity has the bits of the crate, and a cursor or sample of another table is refused.
 
-use crate::fixture::{SETTINGS, TOP, f64_table, launched, motion, numbers, output_of, table};
+use crate::fixture::{SETTINGS, TOP, f64_table, launched, motion, numbers, output_of, table_of};
 use core::mem::{MaybeUninit, size_of};
 use core::ptr::null_mut;
 use toytop::{Complex, Events, Level, Phase};
@@ -10,7 +10,7 @@ use toytop_fit::Sensitivity;
 
 #[test]
 fn every_quantity_has_the_bits_of_the_crate() {
-    let expected = table();
+    let expected = table_of(&motion());
     let table = &*f64_table(&launched(&TOP));
     unsafe {
         for n in [0, 1, -5000, 1 << 40, i64::MAX] {
@@ -35,7 +35,7 @@ fn every_quantity_has_the_bits_of_the_crate() {
 
 #[test]
 fn events_and_partial_derivatives_are_those_of_the_crate() {
-    let expected = table();
+    let expected = table_of(&motion());
     let launched = &launched(&TOP);
     let table = &*f64_table(launched);
     let same = |mut found: toytop_events, events: Events<'_, f64>| {
@@ -117,8 +117,6 @@ fn a_refused_call_leaves_the_cursor_where_it_is() {
         let mut cursor = output_of(|to| toytop_q31_cursor(table, 107, to));
         assert_eq!(toytop_q31_next(table, &mut cursor, null_mut()), TOYTOP_NULL_POINTER);
         assert_eq!(output_of(|to| toytop_cursor_tick(&cursor, to)), 106);
-        output_of(|to| toytop_q31_next(table, &mut cursor, to));
-        assert_eq!(output_of(|to| toytop_cursor_tick(&cursor, to)), 107);
     }
 }
 

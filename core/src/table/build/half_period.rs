@@ -79,7 +79,7 @@ impl HalfPeriod {
         // a steady motion has the period of an infinitesimal nutation, which does not count
         let equations = &scratch.equations;
         let period =
-            if motion.is_steady() { None } else { motion.period::<R::SetUpNumber>(equations, pause) };
+            if motion.is_steady() { None } else { motion.period::<R::PeriodNumber>(equations, pause) };
         self.mean_rates = MeanRates::new(motion, period.as_ref());
         pause();
         match period {
@@ -130,7 +130,7 @@ impl HalfPeriod {
     /// Divides the half period into cells, and these into segments.
     fn divide<R: TableScalar>(
         &mut self,
-        path: &mut Path<'_, R::SetUpNumber>,
+        path: &mut Path<'_, R::PathNumber>,
         segments: Option<&mut [R::Segment]>,
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
@@ -175,7 +175,7 @@ impl HalfPeriod {
         &mut self,
         cell: Interval,
         depth: u32,
-        path: &mut Path<'_, R::SetUpNumber>,
+        path: &mut Path<'_, R::PathNumber>,
         segments: &mut [R::Segment],
         pause: &mut dyn FnMut(),
     ) -> Option<SegmentBounds> {

@@ -23,6 +23,11 @@ impl Interval {
         self.begin + self.length()
     }
 
+    /// Number of the part among all parts of this depth.
+    pub(super) fn number(self) -> usize {
+        self.begin >> (Cell::MAX_DEPTH - self.depth)
+    }
+
     /// Half the length, in half periods.
     pub(super) fn half_length(self) -> f64 {
         power_of_two(-1 - self.depth as i32)

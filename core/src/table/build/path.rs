@@ -41,7 +41,6 @@ impl PathPoint {
 /// Phase equations of a motion along half a period.
 struct PathEquations<F> {
     equations: PhaseEquations<F>,
-    rounded: PhaseEquations<f64>,
     /// Duration of half a period, s.
     duration: F,
     /// Residual rates minus ψ_α' and ψ_β', rad per half period.
@@ -101,8 +100,7 @@ impl Span<'_> {
     /// Polynomial of a (index 0) or b (1) on a segment of the span.
     pub(super) fn polynomial_on(&mut self, segment: Interval, index: usize) -> Option<&mut Polynomial> {
         let halvings = segment.depth - self.interval.depth;
-        let part = segment.begin / segment.length();
-        self.segment.restrict(self.polynomials.get(index)?, part, halvings, self.dropped_terms);
+        self.segment.restrict(self.polynomials.get(index)?, segment.number(), halvings, self.dropped_terms);
         Some(self.segment)
     }
 }
@@ -140,7 +138,6 @@ impl<'a, F: Float> Path<'a, F> {
         let Phases { alpha, beta, .. } = rates.map(|rate| Extended::TWO_PI * rate);
         let equations = PathEquations {
             equations: scratch.equations.map(F::from_extended),
-            rounded: scratch.equations.map(Float::to_f64),
             duration: F::from_extended(duration),
             residual_offsets: [motion.half_tau - alpha, -motion.half_tau - beta]
                 .map(|rate| F::from_extended(duration * rate)),
@@ -247,7 +244,7 @@ impl<'a, F: Float> Path<'a, F> {
         let unit = 4.0 * half_length;
         let allowed = half_length * self.budget.path_error;
         let (sine, cosine) = f64::sine_cosine(from.phases.chi);
-        let PathEquations { rounded, duration, .. } = &self.equations;
+        let PathEquations { equations, duration, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =
             self.equations.rates(sine, cosine).map(|rate| unit * rate);
         let origin = ExpansionPoint {
@@ -262,7 +259,7 @@ impl<'a, F: Float> Path<'a, F> {
             negligible: self.budget.negligible_term(half_length),
         };
         let expansion = &mut self.scratch.expansion;
-        expansion.expand(rounded, &origin, pause);
+        expansion.expand(&equations.map(F::to_f64), &origin, pause);
         pause();
         let truncation = expansion.truncation_error();
         (truncation <= allowed).then(|| {

@@ -32,7 +32,8 @@ impl TableScalar for f32 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
     type Quantity = Self;
-    type SetUpNumber = Wide<1>;
+    type PeriodNumber = Wide<1>;
+    type PathNumber = f64;
 
     const CODE: u32 = 32;
     const TERMS: usize = 5;
@@ -62,7 +63,8 @@ impl TableScalar for I2F30 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];
     type Quantity = f32;
-    type SetUpNumber = Wide<1>;
+    type PeriodNumber = Wide<1>;
+    type PathNumber = f64;
 
     const CODE: u32 = 31;
     const TERMS: usize = 4;

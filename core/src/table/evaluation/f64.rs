@@ -10,7 +10,8 @@ impl TableScalar for f64 {
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Quantity = Self;
-    type SetUpNumber = Extended;
+    type PeriodNumber = Extended;
+    type PathNumber = Extended;
 
     const CODE: u32 = 64;
     const TERMS: usize = 11;

@@ -17,7 +17,8 @@ impl TableScalar for I2F14 {
     type Coefficient = i16;
     type Segment = [[i16; 4]; 3];
     type Quantity = f32;
-    type SetUpNumber = Wide<1>;
+    type PeriodNumber = Wide<1>;
+    type PathNumber = f64;
 
     const CODE: u32 = 15;
     const TERMS: usize = 3;
