@@ -19,8 +19,7 @@ pub(crate) use power_of_two::{
     exponent, ldexp, ldexp_i128, mantissa_and_exponent, power_of_two, shifted_right, to_units, u64_to_f32,
 };
 pub(crate) use product::{
-    high_product, high_product_limited, product_32x16, product_32x16_by_constant, product_i32, product_u32,
-    product_u64, wrapping_product,
+    high_product, product_32x16, product_i32, product_u32, product_u64, wrapping_product,
 };
 
 /// Next random bits of a test, from those before.

@@ -1,7 +1,7 @@
 //! Table of a motion: short polynomials and three integer phases.
 //!
-//! Set-up (`build`) writes the table (`data`). A tick finds its segment (`read`) and evaluates it (`evaluation`). Every tick costs the same,
-//! except its tip angle. The error grows only with the rounding of the rates.
+//! Set-up (`build`) writes the table (`data`). A tick finds its segment (`read`) and evaluates it (`evaluation`). The cost does not depend
+//! on the tick, except that of a tip angle. The error grows only with the rounding of the rates.
 
 mod evaluation;
 

@@ -6,8 +6,8 @@
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::SizedTable<f32, 25> = match (toytop::Baked::<f32, 25> {
-    format: 7,
-    crc32: 0x995f1b74,
+    format: 8,
+    crc32: 0xf8008554,
     clock: toytop::Clock {
         step: [[2668364299, 588342322, 56542227], [1444926868, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
         tip_start_quarter_turns: 0,
@@ -18,15 +18,15 @@ pub static TOY_TOP: toytop::SizedTable<f32, 25> = match (toytop::Baked::<f32, 25
         x_rate: 421.27243,
         mean_sum_rate: 5.170723,
         axial_rate: 150.0,
-        first_phases: [3493103337845293056, 6120415215266210304, 14410232149199812288],
+        first_phases: [3493103337845293056, 6120415215266210240, 14410232149199812224],
         step_turns: [[0.013164763137927308, -7.252620283208037e-19], [0.01196570325564672, 5.061285186898859e-19], [-0.011142757134816631, 4.0319524518681763e-19]],
         ticks_per_time: [1000.0, 0.0],
-        tip_start: [0, 4291729600, 2147483647, 0],
+        tip_start: [0, 4291729472, 2147483647, 0],
         tip_step: [3324574207, 2900543024, 3534526, 0],
         epoch: 0,
     },
-    error_bound: toytop::ErrorBound { constant: 1.7404318222949118e-7, per_tick: 1.6825931213952776e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.0001978268630340759, per_tick: 2.578450577624067e-16 },
+    error_bound: toytop::ErrorBound { constant: 1.7218053712385857e-7, per_tick: 1.6825931213952776e-18 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00019704494260540427, per_tick: 2.578450577624067e-16 },
     cells: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     segments: [
         [

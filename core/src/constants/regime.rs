@@ -35,7 +35,8 @@ impl Regime {
             } else if e.one_plus_e1 == zero {
                 Self::Hanging
             } else {
-                let fast = signs.l_plus_n == signs.l_minus_n;
+                // e₃ = 1 means l = n, where the sign of l - n does not count
+                let fast = signs.l_plus_n == signs.l_minus_n || e.e3_minus_one == zero;
                 if fast { Self::FastPrecession } else { Self::SlowPrecession }
             }
         } else if e.e3_minus_e2 == zero {

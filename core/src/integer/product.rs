@@ -16,27 +16,10 @@ pub(crate) const fn high_product(a: i32, b: i32) -> i32 {
     }
 }
 
-/// [`high_product`] for a < 2^31 - 2^15. From halves it takes one cycle less.
-#[inline(always)]
-pub(crate) const fn high_product_limited(a: i32, b: i32) -> i32 {
-    if BY_HALVES {
-        let low = a as i16 as i32;
-        product_of_halves([low, (a - low) >> 16], split_halves(b))
-    } else {
-        high_product(a, b)
-    }
-}
-
 /// Product a·b·2^-32 with only the 16 upper bits of b, rounded down (SMLAWT).
 #[inline(always)]
 pub(crate) const fn product_32x16(a: i32, b: i32) -> i32 {
     if BY_HALVES { product_32x16_by_halves(a, b) } else { ((a as i64 * (b >> 16) as i64) >> 16) as i32 }
-}
-
-/// [`product_32x16`] for a constant b. It takes fewer instructions.
-#[inline(always)]
-pub(crate) const fn product_32x16_by_constant(a: i32, b: i32) -> i32 {
-    if BY_HALVES { product_32x16_by_halves(a, b) } else { high_product(a, b & !0xffff) }
 }
 
 /// Complete 64-bit product of two unsigned numbers.

@@ -30,7 +30,6 @@ use crate::complex::Complex;
 use crate::scalar::{Float, Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
-use rounding::is_by_16_bits;
 
 /// Point of a segment.
 #[derive(Clone, Copy, Debug)]
@@ -62,9 +61,9 @@ pub struct TickErrors {
 ///
 /// | scalar | table for the top of [the first page](crate) | error bound, rad | for |
 /// |---|---|--:|---|
-/// | `f32` | `TableF32`, 2.2 KB | 1.8e-7 | chips with an FPU or without one |
+/// | `f32` | `TableF32`, 2.3 KB | 1.8e-7 | chips with an FPU or without one |
 /// | `f64` | `TableF64`, 17 KB | 7.4e-15 | PCs, and chips with an FPU for `f64` |
-/// | `fixed::types::I2F30` (q31) | `TableQ31`, 2.3 KB | 2.0e-8 | the smallest error without an FPU for `f64` |
+/// | `fixed::types::I2F30` (q31) | `TableQ31`, 2.3 KB | 1.9e-8 | the smallest error without an FPU for `f64` |
 /// | `fixed::types::I2F14` (q15) | `TableQ15`, 0.6 KB | 5.5e-4 | the fastest tick of a chip without an FPU |
 ///
 /// The last two need the feature `fixed`.
@@ -127,8 +126,8 @@ pub trait Coefficient: Copy + Debug + PartialEq {
 
     /// Coefficient of x^power nearest to a value, in units of 2^-62.
     fn nearest(value: i64, power: usize) -> Self;
-    /// Error of products by 16 bits of x above 2^-31, which [`TickErrors`] contain, in units of 2^-62; infinite where a sum could overflow.
-    fn short_product_error(polynomial: &[i64]) -> f32;
+    /// Whether no sum of Horner's rule can overflow with this polynomial, in units of 2^-62.
+    fn sums_fit(polynomial: &[i64]) -> bool;
 
     // Tick: polynomials.
 
@@ -136,15 +135,15 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     fn to_sum(self) -> Self::Sum;
     /// Local coordinate.
     fn coordinate(point: SegmentPoint) -> Self::Sum;
-    /// Step of Horner's rule, `self` + `sum` x, with 16 bits of x if they are enough.
-    fn step(self, sum: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
+    /// Step of Horner's rule, `self` + `sum` x.
+    fn step(self, sum: Self::Sum, x: Self::Sum) -> Self::Sum;
     /// Last step, to the value of a polynomial with this constant.
     #[inline(always)]
     fn last_step(self, sum: Self::Sum, x: Self::Sum) -> Self::Sum {
-        self.step(sum, x, false)
+        self.step(sum, x)
     }
     /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
-    fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum, by_16_bits: bool) -> Self::Sum;
+    fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum) -> Self::Sum;
 
     // Tick: rotation and angular velocity.
 
@@ -245,18 +244,17 @@ fn horner<C, D: Coefficient, const N: usize, const SLOPES: bool>(
     let mut sums = [Default::default(); N];
     let mut slopes = [Default::default(); N];
     let [constant, higher @ ..] = rows else { return [sums, slopes] };
-    for (power, coefficients) in higher.iter().enumerate().map(|(below, four)| (below + 2, four)).rev() {
-        let by_16_bits = is_by_16_bits(power, rows.len());
+    for coefficients in higher.iter().rev() {
         for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(&part(coefficients)) {
             if SLOPES {
-                *slope = D::slope_step(*sum, *slope, x, by_16_bits);
+                *slope = D::slope_step(*sum, *slope, x);
             }
-            *sum = c.step(*sum, x, by_16_bits);
+            *sum = c.step(*sum, x);
         }
     }
     for ((sum, slope), c) in sums.iter_mut().zip(&mut slopes).zip(part(constant)) {
         if SLOPES {
-            *slope = D::slope_step(*sum, *slope, x, false);
+            *slope = D::slope_step(*sum, *slope, x);
         }
         *sum = c.last_step(*sum, x);
     }

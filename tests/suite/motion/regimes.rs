@@ -6,7 +6,7 @@ use toytop::{
 };
 use toytop_closed_forms::RegularPrecession;
 use toytop_tests::random_bytes::invariants;
-use toytop_tests::{DIFFERENT, SAME, by_branch_points, released, top_of, toy, vectors};
+use toytop_tests::{DIFFERENT, SAME, SIGNS, by_branch_points, released, top_of, toy, vectors};
 
 fn top() -> Top {
     top_of([1.1, 0.8, 0.6, 0.9], 1.0)
@@ -29,6 +29,16 @@ fn every_regime_is_recognised() {
     ];
     for (name, regime) in expected {
         assert_eq!(vectors::motion(name).regime(), regime, "{name}");
+    }
+}
+
+/// With e₃ = 1 a regular precession has l = n, and the sign of l - n = 0 does not matter.
+#[test]
+fn a_regular_precession_with_equal_momenta_is_the_faster_one() {
+    for signs in SIGNS {
+        let motion = by_branch_points(&top(), [0.3, 0.3, 1.0], signs);
+        let FirstIntegrals { l, n, .. } = motion.first_integrals();
+        assert_eq!((l, motion.regime()), (n, Regime::FastPrecession));
     }
 }
 

@@ -80,7 +80,7 @@ fn a_bit_flipped_anywhere_is_refused() {
     for (index, change) in changes.into_iter().enumerate() {
         assert!(matches!(refused(&baked, change), Some(BakedError::Checksum { .. })), "{index}");
     }
-    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 8 }));
+    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 9 }));
     // every bit of every coefficient
     for segment in 0..25 {
         for bit in 0..5 * 4 * 32 {
@@ -179,8 +179,8 @@ fn a_field_beyond_its_range_is_named() {
         (|baked| baked.error_bound.per_tick = f64::NEG_INFINITY, "error_bound"),
         (|baked| baked.clock.twice_tip_scale = f32::MAX, "twice_tip_scale"),
         (|baked| baked.clock.axial_rate = f32::NAN, "axial_rate"),
-        // a sum of 2^31 - 2^15 is the smallest that is too large
-        (|baked| baked.segments[3][1..].fill([i32::MAX - 0x7fff, 0, 0, 0]), "segments"),
+        // a sum of 2^31 is the smallest that is too large: the half of 1 is rounded up
+        (|baked| baked.segments[3][1..3].copy_from_slice(&[[i32::MAX, 0, 0, 0], [1, 0, 0, 0]]), "segments"),
         (|baked| baked.segments[24][4][3] = i32::MIN, "segments"),
         // the last cell refers beyond the last segment; a depth of 17
         (|baked| baked.cells[15] += 25 << 4, "cells"),
@@ -196,7 +196,7 @@ fn a_field_beyond_its_range_is_named() {
     // the largest sum that is allowed
     let mut changed = baked.clone();
     changed.segments[3][1..].fill([0; 4]);
-    changed.segments[3][1] = [i32::MAX - 0x8000, 0x8000 - i32::MAX, 0, 0];
+    changed.segments[3][1] = [i32::MAX, -i32::MAX, 0, 0];
     set_checksum!(changed);
     assert!(changed.table().is_ok());
 }

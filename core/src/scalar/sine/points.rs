@@ -1,7 +1,7 @@
 //! Sines of phases of 32 bits in integers, from 512 points of the circle (2.6 KB of flash): for the ticks of a table.
 
 use super::chebyshev::sine_cosine_of_remainder;
-use crate::integer::{high_product, product_32x16, product_32x16_by_constant};
+use crate::integer::{high_product, product_32x16};
 
 /// Number of points on the circle.
 const POINTS: usize = 512;
@@ -50,7 +50,7 @@ pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
     let square = high_product(x, x);
     // 37 fraction bits, and 44
     let small_sine = high_product(x, LINEAR - (((square >> 16) * CUBIC) >> 8));
-    let versine = product_32x16_by_constant(square, VERSINE << 16);
+    let versine = high_product(square, VERSINE << 16);
     // the corrections have 36 fraction bits
     let sine_change = high_product(small_sine, cosine) - (product_32x16(versine, sine) >> 7);
     let cosine_change = high_product(small_sine, sine) + (product_32x16(versine, cosine) >> 7);

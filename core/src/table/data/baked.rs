@@ -13,7 +13,7 @@ use crate::table::evaluation::TableScalar;
 use crc32::Crc32;
 
 /// Version of the format.
-const FORMAT: u32 = 7;
+const FORMAT: u32 = 8;
 
 /// Fields of a [`SizedTable`] as `toytop bake SCENARIO` writes them, in [the table format](crate::table_format).
 ///

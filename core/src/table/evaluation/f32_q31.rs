@@ -3,15 +3,13 @@
 //! A coefficient of x^k is stored as c·2^(31+k). The upper word of its product with x·2^31 has half the scale, which is that of the next lower
 //! coefficient. The sums for a derivative have half the scale, because they may be twice as large. Set-up refuses sums that could overflow; the
 //! last one saturates.
-//!
-//! For the upper half of the powers 16 bits of x are enough: their coefficients are small, as set-up verifies.
 
 use crate::complex::Complex;
-use crate::integer::{high_product, high_product_limited, product_32x16, shifted_right};
+use crate::integer::{high_product, shifted_right};
 use crate::scalar::{Q30, Scalar, Wide, sine_cosine_q26};
 use crate::su2::Vector;
 use crate::table::evaluation::omega_q30::omega_body;
-use crate::table::evaluation::rounding::{TABLE_BITS, short_product_bound};
+use crate::table::evaluation::rounding::{TABLE_BITS, sums_fit};
 use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors};
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
@@ -22,7 +20,7 @@ const UNIT_Q30: f64 = 1.0 / (1_u64 << 30) as f64;
 pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
 /// Errors with sines to 31 bits.
 pub(super) const ERRORS_Q30: TickErrors = TickErrors {
-    orientation: (17.2 + 2.83 * 1.23) * UNIT_Q30,
+    orientation: (15.2 + 2.83 * 1.23) * UNIT_Q30,
     per_half_segment: COORDINATE_ERROR,
     omega: 44.0 * UNIT_Q30,
     relative_omega: 3.7 * <f32 as Scalar>::ROUNDING,
@@ -40,7 +38,7 @@ impl TableScalar for f32 {
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
     /// Errors with sines to 26 bits and results in `f32`.
     const ERRORS: TickErrors =
-        TickErrors { orientation: (17.2 + 2.83 * 12.5) * UNIT_Q30 + f32::EPSILON as f64, ..ERRORS_Q30 };
+        TickErrors { orientation: (15.2 + 2.83 * 12.5) * UNIT_Q30 + f32::EPSILON as f64, ..ERRORS_Q30 };
 
     #[inline]
     fn from_number(number: Q30) -> Self {
@@ -95,9 +93,6 @@ fn rounded(value: i64, power: usize) -> i64 {
     if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 }
 }
 
-/// Error of products by 16 bits of x that counts as part of a tick, in units of 2^-62: 2^-31.
-const ACCEPTED_ERROR: f32 = (1_u32 << 31) as f32;
-
 impl Coefficient for i32 {
     type Sum = Self;
     type Number = Q30;
@@ -107,11 +102,8 @@ impl Coefficient for i32 {
         rounded(value, power).clamp(i32::MIN.into(), i32::MAX.into()) as i32
     }
 
-    fn short_product_error(polynomial: &[i64]) -> f32 {
-        let Some(bound) = short_product_bound(polynomial, rounded) else { return f32::INFINITY };
-        // from units of 2^-30, times the truncation of x to 2^-15
-        let error = bound as f32 * (1_u32 << (TABLE_BITS - 30 - 15)) as f32;
-        if error > ACCEPTED_ERROR { error - ACCEPTED_ERROR } else { 0.0 }
+    fn sums_fit(polynomial: &[i64]) -> bool {
+        sums_fit(polynomial, rounded)
     }
 
     #[inline]
@@ -125,18 +117,18 @@ impl Coefficient for i32 {
     }
 
     #[inline(always)]
-    fn step(self, sum: i32, x: i32, by_16_bits: bool) -> i32 {
-        self + if by_16_bits { product_32x16(sum, x) } else { high_product_limited(sum, x) }
+    fn step(self, sum: i32, x: i32) -> i32 {
+        self + high_product(sum, x)
     }
 
     #[inline(always)]
     fn last_step(self, sum: i32, x: i32) -> i32 {
-        self.saturating_add(high_product_limited(sum, x))
+        self.saturating_add(high_product(sum, x))
     }
 
     #[inline(always)]
-    fn slope_step(sum: i32, slope: i32, x: i32, by_16_bits: bool) -> i32 {
-        (sum >> 1).step(slope, x, by_16_bits)
+    fn slope_step(sum: i32, slope: i32, x: i32) -> i32 {
+        (sum >> 1).step(slope, x)
     }
 
     #[inline(always)]
@@ -170,21 +162,17 @@ impl Coefficient for i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::evaluation::rounding::{TABLE_UNIT, polynomial_q62};
+    use crate::table::evaluation::rounding::polynomial_q62;
 
-    /// With six terms the products with the fourth and the fifth power are short, and the sum of the lower one
-    /// contains both.
     #[test]
-    fn what_16_bit_products_lose() {
-        let near =
-            |found: f64, expected: f64| assert!((found - expected).abs() < 2e-13, "{found:e} {expected:e}");
-        let error = |values| TABLE_UNIT * f64::from(i32::short_product_error(&polynomial_q62(values)));
-        let accepted = TABLE_UNIT * f64::from(ACCEPTED_ERROR);
-        // in range, but the short products are not accurate enough
-        near(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.01]), 0.04 / 32768.0 - accepted);
-        near(error([0.9, 0.3, 0.05, 0.02, -0.03, 0.01]), 0.05 / 32768.0 - accepted);
-        assert_eq!(error([0.9, 0.3, 0.05, 0.02, 0.0, 1e-9]), 0.0);
-        assert_eq!(error([0.0, 0.0, 0.0, 0.0, 0.02, 0.04]), f64::INFINITY);
+    fn sums_stay_below_1() {
+        for (values, fit) in [
+            ([0.9, 0.3, 0.05, 0.02, -0.03, 0.01], true),
+            ([0.0, 0.0, 0.0, 0.0, 0.02, 0.03], true),
+            ([0.0, 0.0, 0.0, 0.0, 0.02, 0.04], false),
+        ] {
+            assert_eq!(i32::sums_fit(&polynomial_q62(values)), fit, "{values:?}");
+        }
     }
 
     #[test]

@@ -48,8 +48,8 @@ impl Coefficient for f64 {
         value as f64 * TABLE_UNIT
     }
 
-    fn short_product_error(_: &[i64]) -> f32 {
-        0.0
+    fn sums_fit(_: &[i64]) -> bool {
+        true
     }
 
     #[inline]
@@ -63,12 +63,12 @@ impl Coefficient for f64 {
     }
 
     #[inline(always)]
-    fn step(self, sum: f64, x: f64, _: bool) -> f64 {
+    fn step(self, sum: f64, x: f64) -> f64 {
         sum * x + self
     }
 
     #[inline(always)]
-    fn slope_step(sum: f64, slope: f64, x: f64, _: bool) -> f64 {
+    fn slope_step(sum: f64, slope: f64, x: f64) -> f64 {
         slope * x + sum
     }
 

@@ -8,15 +8,15 @@ use crate::table::evaluation::Coefficient;
 use crate::table::evaluation::TableScalar;
 use crate::table::evaluation::rounding::TABLE_UNIT;
 
-/// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if there is one. Returns the error of 16-bit products, rad;
-/// infinite on overflow.
+/// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if there is one. Returns whether a tick can evaluate it without
+/// overflow.
 pub(super) fn store_polynomial<R: TableScalar>(
     segment: Option<&mut R::Segment>,
     index: usize,
     polynomial: &Polynomial,
-) -> f32 {
+) -> bool {
     let rows = segment.map_or(&mut [][..], AsMut::as_mut);
-    let mut greatest = 0.0_f32;
+    let mut fit = true;
     for (column, part) in (2 * index..).zip(&polynomial.parts) {
         let coefficients = part.coefficients.get(..R::TERMS).unwrap_or(&part.coefficients);
         for (power, (row, &value)) in rows.iter_mut().zip(coefficients).enumerate() {
@@ -24,16 +24,15 @@ pub(super) fn store_polynomial<R: TableScalar>(
                 *stored = R::Coefficient::nearest(value, power);
             }
         }
-        greatest = greatest.larger_or_nan(R::Coefficient::short_product_error(coefficients));
+        fit &= R::Coefficient::sums_fit(coefficients);
     }
-    // the norm of four parts is twice as large, and the orientation error is twice the norm
-    4.0 * TABLE_UNIT as f32 * greatest
+    fit
 }
 
 /// Upper bounds on the errors of segments, rad, and on speeds, rad per half period. They are in `f32`, for which many chips have an FPU.
 #[derive(Debug)]
 pub(super) struct SegmentBounds {
-    /// Orientation error by truncation and rounding, rad.
+    /// Orientation error by truncation, rad; infinite where a tick could overflow.
     pub(super) error: f32,
     /// Angular speed 2 √(|da/dt|² + |db/dt|²), rad per half period.
     pub(super) angular_speed: f32,
@@ -74,7 +73,7 @@ pub(super) fn store_segment<R: TableScalar>(
     mut stored_segment: Option<&mut R::Segment>,
     pause: &mut dyn FnMut(),
 ) -> SegmentBounds {
-    let mut short_product_error = 0.0_f32;
+    let mut fit = true;
     let mut truncation_squared = 0.0;
     let mut slope_squared = 0.0;
     for index in 0..2 {
@@ -82,17 +81,13 @@ pub(super) fn store_segment<R: TableScalar>(
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
-        short_product_error = short_product_error.larger_or_nan(store_polynomial::<R>(
-            stored_segment.as_deref_mut(),
-            index,
-            polynomial,
-        ));
+        fit &= store_polynomial::<R>(stored_segment.as_deref_mut(), index, polynomial);
         pause();
     }
     // x grows by 2 over a segment
     let x_per_half_period = (2_u32 << segment.depth) as f32;
     SegmentBounds {
-        error: 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) + short_product_error,
+        error: if fit { 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) } else { f32::INFINITY },
         angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_per_half_period,
         residual_rate: span.residual_rate,
         x_per_half_period,

@@ -43,10 +43,9 @@ static inline toytop_sums toytop_sums_at(const toytop_clock *clock, const int32_
     c += segment * terms;
     for (int i = 0; i < 4; i++) {
         int32_t sum = c[terms - 1][i], slope = 0;
-        for (uint32_t k = terms - 1; k-- > 1;) { /* for the upper half of the powers 16 bits of x are sufficient */
-            int few = 2 * (k + 1) > terms;
-            if (slopes) slope = (sum >> 1) + (few ? toytop_short(slope, x) : toytop_high(slope, x));
-            sum = c[k][i] + (few ? toytop_short(sum, x) : toytop_high(sum, x));
+        for (uint32_t k = terms - 1; k-- > 1;) {
+            if (slopes) slope = (sum >> 1) + toytop_high(slope, x);
+            sum = c[k][i] + toytop_high(sum, x);
         }
         if (slopes) slope = (sum >> 1) + toytop_high(slope, x);
         sums.value[i] = toytop_saturated((int64_t)c[0][i] + toytop_high(sum, x));
