@@ -153,7 +153,7 @@ impl Motion {
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
             if complement > zero { momentum / (twice_a * complement) + half_tau } else { zero }
         };
-        let [one_plus_u, one_minus_u] = steady_complements(&self.e, self.regime);
+        let [one_plus_u, one_minus_u] = steady_tilt(&self.e, self.regime);
         let half_tau = self.half_tau;
         let FirstIntegrals { l_plus_n, l_minus_n, .. } = self.integrals;
         [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
@@ -170,8 +170,8 @@ impl Motion {
     }
 }
 
-/// 1 + u and 1 - u of a steady motion.
-fn steady_complements(e: &BranchPoints<Extended>, regime: Regime) -> [Extended; 2] {
+/// Numbers 1 + u and 1 - u of a steady motion.
+fn steady_tilt(e: &BranchPoints<Extended>, regime: Regime) -> [Extended; 2] {
     match regime {
         Regime::SleepingUnstable => [Extended::from(2.0), Extended::ZERO],
         _ => [e.one_plus_e1, e.one_minus_e2],

@@ -6,7 +6,7 @@ use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint, Regime, Signs
 use crate::motion::ellipses::Ellipses;
 use crate::motion::half_phase::{half_phase_at, half_phase_of_angle, has_constant_tilt};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
-use crate::motion::{LaunchRounding, Motion, steady_complements};
+use crate::motion::{LaunchRounding, Motion, steady_tilt};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 use crate::su2::{AttitudeState, OrientationRate};
@@ -163,7 +163,7 @@ fn ellipses_of(
 ) -> Ellipses<f64> {
     match half_phase {
         Some(_) => Ellipses::oscillating(e, signs, Extended::to_f64),
-        None => Ellipses::steady(steady_complements(e, regime)),
+        None => Ellipses::steady(steady_tilt(e, regime)),
     }
 }
 

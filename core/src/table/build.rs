@@ -10,8 +10,8 @@
 //!   launch_clock.rs      mean rates, launch phases  -> clock
 //! ```
 //!
-//! The tabulated a and b are α and β without their mean rotation. Series have an exponent each (`series`). The
-//! polynomials of a and b are only halved and added: all are in units of 2^-62 (`polynomial`).
+//! The tabulated a and b are α and β without their mean rotation. A power series carries its own exponent (`series`). The polynomials
+//! of a and b need none, because they are only halved and added: all are in units of 2^-62 (`polynomial`).
 //!
 //! `pause` is called between the parts of a set-up that take long: nodes of a quadrature, coefficients of an expansion, and segments.
 

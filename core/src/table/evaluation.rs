@@ -48,9 +48,9 @@ pub struct SegmentPoint {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TickErrors {
     /// Orientation error for a body at rest, rad.
-    pub(super) orientation: f64,
+    pub(super) tick: f64,
     /// Orientation error per rad that the body turns in half a segment.
-    pub(super) per_half_segment: f64,
+    pub(super) coordinate: f64,
     /// Error of the angular velocity, divided by x' + |Λ_α' + Λ_β'|.
     pub(super) omega: f64,
     /// Further error of the angular velocity, relative to its greatest value.

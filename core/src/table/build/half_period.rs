@@ -7,7 +7,8 @@
 //! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
 //! ```
 //!
-//! All segments of a cell have one length. A cell starts with segments twice as long as in the cell before, and halves them until they are accurate.
+//! All segments of a cell have one length. A cell is first tried with segments twice as long as those of the cell before, which are then halved
+//! until their error is allowed.
 //! A segment does not cross the ends of a span.
 
 mod stored_segment;
@@ -19,7 +20,7 @@ use stored_segment::{SegmentBounds, store_polynomial, store_segment};
 use super::error_budget::ErrorBudget;
 use super::interval::{Interval, SHORTEST_SEGMENTS};
 use super::mean_rates::MeanRates;
-use super::path::launch_phases::LaunchPhases;
+use super::path::launch_search::LaunchSearch;
 use super::path::polynomial::Polynomial;
 use super::path::{Path, PathScratch};
 use crate::motion::Motion;
@@ -87,7 +88,7 @@ impl HalfPeriod {
                 self.tabulate_path::<R>(motion, time.halved(), budget, scratch, segments, pause)
             }
             None => {
-                self.launch_phases = LaunchPhases::new(motion).phases;
+                self.launch_phases = LaunchSearch::new(motion).found;
                 self.store_constants::<R>(motion, segments);
                 Ok(())
             }
@@ -109,7 +110,7 @@ impl HalfPeriod {
     ) -> Result<(), TooManySegments> {
         let mut path = Path::new(scratch, budget, motion, duration, self.mean_rates.rates);
         self.divide::<R>(&mut path, segments, pause)?;
-        self.launch_phases = path.launch_phases.phases;
+        self.launch_phases = path.launch.found;
         let [delay, residual] = path.errors();
         let bounds = &self.bounds;
         self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;

@@ -6,7 +6,7 @@ pub(super) mod polynomial;
 
 mod expansion;
 
-pub(super) mod launch_phases;
+pub(super) mod launch_search;
 
 use super::error_budget::ErrorBudget;
 use super::interval::Interval;
@@ -18,7 +18,7 @@ use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::data::Phases;
 use crate::table::data::cell::Cell;
 use expansion::{Expansion, ExpansionPoint, PathPhases};
-use launch_phases::LaunchPhases;
+use launch_search::LaunchSearch;
 use polynomial::Polynomial;
 use series::PowerSeries;
 
@@ -114,8 +114,7 @@ pub(super) struct Path<'a, F> {
     exponentials: [[f64; 2]; 2],
     /// Sum of the rates of χ and of the residual phases at the faster end of the path, rad per half period.
     greatest_end_rate: f64,
-    /// Phases of the launch, once the path has reached it.
-    pub(super) launch_phases: LaunchPhases,
+    pub(super) launch: LaunchSearch,
     span: Option<Interval>,
     /// End of the span.
     end: PathPoint,
@@ -153,7 +152,7 @@ impl<'a, F: Float> Path<'a, F> {
             budget,
             exponentials: [alpha, beta].map(|ellipse| ellipse.exponentials()),
             greatest_end_rate: first.larger_or_nan(last),
-            launch_phases: LaunchPhases::new(motion),
+            launch: LaunchSearch::new(motion),
             span: None,
             end: PathPoint::FIRST,
             next_span_depth: MIN_SPAN_DEPTH,
@@ -232,7 +231,7 @@ impl<'a, F: Float> Path<'a, F> {
             polynomial.drop_negligible_terms(terms, self.budget)?;
         }
         pause();
-        self.launch_phases.search(expansion, self.end.phases.chi, span);
+        self.launch.search(expansion, self.end.phases.chi, span);
         Some(span)
     }
 

@@ -1,5 +1,5 @@
-//! Ranges of literal data in which no integer of a tick overflows. Only the tip's velocity may become infinite. A set-up keeps them, if s is at most 5e29 in `f32` and fixed
-//! point, or 5e59 in `f64`.
+//! Ranges of literal data, within which no integer of a tick overflows; only the tip's velocity may become infinite. A table that a set-up
+//! makes is within them for s up to 5e29 m in `f32` and fixed point, and up to 5e59 m in `f64`.
 
 use crate::table::evaluation::rounding::next_sum;
 

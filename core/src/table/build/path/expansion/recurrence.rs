@@ -76,7 +76,7 @@ struct Recurrence {
     negligible_xi: i64,
 }
 
-/// Largest dχ/dy at which series may converge fast enough to be used.
+/// Largest dχ/dy at which series are tried; beyond it they would not converge.
 const MAX_CHI_RATE: f64 = 4.0;
 
 impl Expansion {

@@ -1,4 +1,4 @@
-//! Nutation phase and mean phases of a launch, from its place on the path.
+//! Search for a launch on the path, and its nutation phase and mean phases.
 
 use super::expansion::{Expansion, PathPhases};
 use crate::motion::Motion;
@@ -7,16 +7,17 @@ use crate::scalar::Scalar;
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::data::Phases;
 
-/// Nutation phase and mean phases of a launch, which are known once the path has reached its χ.
+/// Search for the phases of a launch, which ends once the path has reached its χ.
 #[derive(Debug)]
-pub(crate) struct LaunchPhases {
+pub(crate) struct LaunchSearch {
     /// Half phase χ, folded into [0, 1/4] turn; `None` once the path has reached it.
     chi: Option<Phase>,
     is_falling: bool,
-    pub(crate) phases: Phases<Phase>,
+    /// Nutation phase and mean phases of the launch, after the search.
+    pub(crate) found: Phases<Phase>,
 }
 
-impl LaunchPhases {
+impl LaunchSearch {
     /// Search for the launch of a motion. The phases of a steady one are final.
     pub(crate) fn new(motion: &Motion) -> Self {
         let (half_turns, remainder) = motion.half_phase.unwrap_or_default().split_half_turns();
@@ -24,7 +25,7 @@ impl LaunchPhases {
         let (half_turns, chi) =
             if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };
         let [alpha, beta] = motion.slow_phases.map(|phase| phase + Phase::HALF * half_turns);
-        Self { chi: Some(chi), is_falling, phases: Phases { nutation: Phase::ZERO, alpha, beta } }
+        Self { chi: Some(chi), is_falling, found: Phases { nutation: Phase::ZERO, alpha, beta } }
     }
 
     /// Finds the phases, if the launch is on this span. The last span always contains it.
@@ -42,10 +43,10 @@ impl LaunchPhases {
         let (PathPhases { residual, .. }, _) = expansion.at(x);
         let mirror = |phase: Phase| if self.is_falling { -phase } else { phase };
         let [alpha_residual, beta_residual] = residual.map(mirror);
-        self.phases = Phases {
+        self.found = Phases {
             nutation: mirror(span.phase(x)),
-            alpha: self.phases.alpha - alpha_residual,
-            beta: self.phases.beta - beta_residual,
+            alpha: self.found.alpha - alpha_residual,
+            beta: self.found.beta - beta_residual,
         };
         self.chi = None;
     }
