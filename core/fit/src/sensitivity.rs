@@ -174,6 +174,6 @@ impl Period {
     fn reduced(&self, t: f64) -> Option<(i64, f64)> {
         let count = libm::round(t / self.length.to_f64());
         let since_period = Extended::from(t) - self.length * Extended::from(count);
-        (libm::fabs(count) <= (1_u64 << 52) as f64).then(|| (count as i64, since_period.to_f64()))
+        (count.abs() <= (1_u64 << 52) as f64).then(|| (count as i64, since_period.to_f64()))
     }
 }

@@ -60,7 +60,8 @@ impl<F: Real> Trajectory<F> {
         }
     }
 
-    /// Moves to a time after the launch, or before it. `None` where it is too far from the last one.
+    /// Moves to a time after the launch, or before it. `None` where it is too far from the last one, or where a tangent has grown too large
+    /// before.
     #[inline(never)] // stack
     pub(crate) fn move_to(&mut self, t: f64) -> Option<()> {
         // the bits are compared, which is faster on a chip without a unit for `f64`
@@ -72,9 +73,12 @@ impl<F: Real> Trajectory<F> {
         }
         while !self.reaches(t, 1.0) {
             if self.time.to_bits() == self.node.to_bits() {
-                self.step_to(self.node + libm::copysign(self.longest_step, t - self.node));
+                self.step_to(self.node + self.longest_step.copysign(t - self.node));
             }
             self.move_node();
+            if !self.is_bounded() {
+                return None;
+            }
         }
         self.step_to(t);
         let roll = about_third_axis(self.roll(t));
@@ -82,9 +86,15 @@ impl<F: Real> Trajectory<F> {
         Some(())
     }
 
+    /// Whether no tangent is too large. In `f32` the limit is infinite.
+    fn is_bounded(&self) -> bool {
+        let limit = F::from_f64(LARGEST);
+        self.now.tangents.iter().all(|tangent| tangent.inner(tangent) < limit)
+    }
+
     /// Whether a time is within this number of steps from the node.
     fn reaches(&self, t: f64, steps: f64) -> bool {
-        libm::fabs(t - self.node) <= steps * self.longest_step
+        (t - self.node).abs() <= steps * self.longest_step
     }
 
     /// Moves from the node to a time.
@@ -126,8 +136,7 @@ impl Trajectory<f64> {
     /// Trajectory at another time. `None` where that is too far, or where a tangent has grown beyond 1e150.
     pub(crate) fn at(mut self, t: f64) -> Option<Self> {
         self.move_to(t)?;
-        let is_bounded = |tangent: &Tangent<f64>| tangent.inner(tangent) < LARGEST;
-        self.now.tangents.iter().all(is_bounded).then_some(self)
+        self.is_bounded().then_some(self)
     }
 }
 
