@@ -5,17 +5,13 @@
 // In the order of dependence.
 mod error;
 
-mod problem;
+mod block;
 
 mod statistics;
-
-mod pass;
 
 mod solver;
 
 mod first_guess;
-
-mod diagnosis;
 
 mod search;
 
@@ -26,29 +22,14 @@ use crate::model::{Model, Prior};
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::{Measurement, Sensor};
 use crate::vector::{Vector, norm, rotation_vector};
-use diagnosis::warning;
+use block::Block;
 pub use error::{FitError, FitWarning};
 pub use fitted::{Drift, Fitted, Unobservable};
-use problem::Problem;
-use search::{misfit_cause, search, settle_on_all};
-use solver::{CONVERGED_SIGMA, Solver};
+use solver::CONVERGED_SIGMA;
+pub use solver::Fit;
 pub use statistics::Statistics;
 use toytop::Top;
 use toytop::scalar::Real;
-
-/// Fit of a launch to measurements.
-///
-/// The unknowns are the launch, the free ratios, and the constant biases of the sensors. The scalar `f32` suffices for sensors whose noise
-/// is at least 1e-4 of their readings; the fit then keeps 5.4 KB, whatever the number of measurements, and takes
-/// 15 KB of stack.
-#[derive(Clone)]
-pub struct Fit<'a, F = f64> {
-    sensors: &'a [&'a dyn Sensor<F>],
-    model: Model,
-    /// Largest residual that counts quadratically, in standard deviations.
-    huber: f64,
-    solver: Solver<F>,
-}
 
 /// Fit of a block, and its difference from the prediction of the last block.
 #[derive(Clone, Copy, Debug)]
@@ -73,7 +54,7 @@ impl<'a, F: Real> Fit<'a, F> {
             return Err(FitError::SensorNoise { sensor });
         }
         let model = Model::new(top, sensors, ratios, None).ok_or(FitError::TooManyUnknowns)?;
-        Ok(Self { sensors, model, huber: 3.0, solver: Solver::new(&model) })
+        Ok(Self::with_model(sensors, model, 3.0))
     }
 
     /// Sets the largest residual that counts quadratically, in standard deviations; larger ones count linearly (Huber). It is infinite for
@@ -91,15 +72,14 @@ impl<'a, F: Real> Fit<'a, F> {
     ///   may stop in a minute
     ///
     /// # Errors
-    /// [`FitError::TooManyUnknowns`]: more than one free ratio. [`FitError::LossDeviation`]: not a positive number.
-    pub fn with_losses(mut self, deviation: f64) -> Result<Self, FitError> {
+    /// [`FitError::TooManyUnknowns`]: more than one free ratio. [`FitError::Deviation`]: not a positive number.
+    pub fn with_losses(self, deviation: f64) -> Result<Self, FitError> {
         if !(deviation.is_finite() && deviation > 0.0) {
-            return Err(FitError::LossDeviation);
+            return Err(FitError::Deviation { parameter: "deviation" });
         }
-        let model = Model::new(&self.model.top, self.sensors, self.model.free(), Some(deviation));
-        self.model = model.ok_or(FitError::TooManyUnknowns)?;
-        self.solver = Solver::new(&self.model);
-        Ok(self)
+        let Self { sensors, model, huber, .. } = self;
+        let model = Model::new(&model.top, sensors, model.free(), Some(deviation));
+        Ok(Self::with_model(sensors, model.ok_or(FitError::TooManyUnknowns)?, huber))
     }
 
     /// Launch from all measurements, without a first guess. The measurements are read several times.
@@ -110,14 +90,12 @@ impl<'a, F: Real> Fit<'a, F> {
         &mut self,
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Fitted, FitError> {
-        let Self { sensors, model, huber, solver } = self;
-        let problem = Problem::new(sensors, model, *huber, measurements)?;
-        solver.reset_prior(model);
-        let (warning, other_launch_count) = search(&problem, solver);
-        let mut fitted = Fitted::new(model, solver, problem.times, warning, other_launch_count);
+        let block = Block::new(self.sensors, measurements)?;
+        self.reset_prior();
+        let (warning, other_launch_count) = self.search(&block);
+        let mut fitted = Fitted::new(self, block.times, warning, other_launch_count);
         if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotSettled)) {
-            let chi_squared = fitted.statistics.chi_squared;
-            let cause = misfit_cause(&problem, solver, chi_squared);
+            let cause = self.misfit_cause(&block, fitted.statistics.chi_squared);
             fitted.warning = cause.or(fitted.warning);
         }
         Ok(fitted)
@@ -132,12 +110,11 @@ impl<'a, F: Real> Fit<'a, F> {
         guess: Estimate,
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Fitted, FitError> {
-        let Self { sensors, model, huber, solver } = self;
-        let problem = Problem::new(sensors, model, *huber, measurements)?;
-        solver.reset_prior(model);
-        solver.start_from(&guess);
-        let warning = settle_on_all(&problem, solver);
-        Ok(Fitted::new(model, solver, problem.times, warning, 0))
+        let block = Block::new(self.sensors, measurements)?;
+        self.reset_prior();
+        self.start_from(&guess);
+        let warning = self.settle_on_all(&block);
+        Ok(Fitted::new(self, block.times, warning, 0))
     }
 
     /// Fits the next block of measurements from the fit of the last one, carried to it with its covariance.
@@ -147,7 +124,8 @@ impl<'a, F: Real> Fit<'a, F> {
     ///
     /// # Errors
     /// The errors of [`Fit::run`]. [`FitError::OutOfOrder`]: the block is earlier than the last fit. [`FitError::LastFit`]: the motion of the last fit
-    /// cannot be followed to the block. [`FitError::LossDeviation`]: the deviation is negative or not finite.
+    /// cannot be followed to the block. [`FitError::OtherUnknowns`]: the last fit had other unknowns than this one. [`FitError::Deviation`]: the deviation
+    /// is negative or not finite.
     pub fn track(
         &mut self,
         last: &Fitted,
@@ -155,16 +133,18 @@ impl<'a, F: Real> Fit<'a, F> {
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Tracked, FitError> {
         if !(drift_deviation.is_finite() && drift_deviation >= 0.0) {
-            return Err(FitError::LossDeviation);
+            return Err(FitError::Deviation { parameter: "drift_deviation" });
         }
-        let Self { sensors, model, huber, solver } = self;
-        let problem = Problem::new(sensors, model, *huber, measurements)?;
-        let [first, _] = problem.times;
-        let span = first - last.time;
+        if !self.model.has_unknowns_of(&last.model) {
+            return Err(FitError::OtherUnknowns);
+        }
+        let block = Block::new(self.sensors, measurements)?;
+        let [first, _] = block.times;
+        let span = first - last.launch_time;
         if span < 0.0 {
             return Err(FitError::OutOfOrder { index: 0 });
         }
-        let (predicted, at) = model.predicted(&last.launch, span).ok_or(FitError::LastFit)?;
+        let (predicted, at) = self.model.predicted(&last.launch, span).ok_or(FitError::LastFit)?;
         let mut covariance = last.covariance;
         covariance.propagate(&at.tangents);
         let noise = drift_deviation * norm(predicted.omega) * span;
@@ -173,18 +153,19 @@ impl<'a, F: Real> Fit<'a, F> {
             covariance.add_variance(index, noise * noise);
         }
         // the losses may be others now
-        for (index, deviation) in model.losses() {
+        for (index, deviation) in self.model.losses() {
             covariance.replace_unknown(index, deviation * deviation);
         }
         // to changes along the body axes
         covariance.turn(&predicted.orientation.inverse());
-        solver.prior = Prior { estimate: predicted, information: covariance.information(last.unknown_count) };
-        solver.start_from(&predicted);
-        let settled = solver.settle(&problem, usize::MAX, CONVERGED_SIGMA);
-        let warning = warning(model, solver, settled);
-        let fitted = Fitted::new(model, solver, problem.times, warning, 0);
-        let turn = solver.best.estimate.orientation.compose(&predicted.orientation.inverse());
-        let drift_rates = model.mean_rates([&last.launch, &fitted.launch], fitted.time - last.time);
+        self.prior = Prior { estimate: predicted, information: covariance.information(last.unknown_count) };
+        self.start_from(&predicted);
+        let settled = self.settle(&block, usize::MAX, CONVERGED_SIGMA);
+        let warning = self.warning(settled);
+        let fitted = Fitted::new(self, block.times, warning, 0);
+        let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());
+        let span = fitted.launch_time - last.launch_time;
+        let drift_rates = self.model.mean_rates([&last.launch, &fitted.launch], span);
         Ok(Tracked { fitted, jump: rotation_vector(&turn), drift_rates })
     }
 }

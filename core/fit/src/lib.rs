@@ -34,6 +34,6 @@ pub use model::{MAX_RATIOS, MAX_SENSORS};
 pub use sensitivity::{Partials, Sensitivity};
 pub use sensors::{
     Accelerometer, AxisCamera, Gyroscope, Hint, Magnetometer, Mark, Measurement, Mounting, Noise,
-    OrientationCamera, Residual, Sensor, TipCamera,
+    OrientationCamera, Residual, Sensor, TipCamera, Values,
 };
 pub use triangle::MAX_UNKNOWNS;

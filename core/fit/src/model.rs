@@ -7,10 +7,10 @@ use crate::sensitivity::{
     Sensitivity, Tangent, Trajectory, log_derivatives,
 };
 use crate::sensors::Sensor;
-use crate::triangle::{MAX_UNKNOWNS, Unknowns, unit_row};
+use crate::triangle::{MAX_UNKNOWNS, Unknowns};
 use crate::vector::{UNITS, Vector, add_scaled, norm, scaled};
 use toytop::scalar::Real;
-use toytop::{Motion, Orientation, ParameterError, Top};
+use toytop::{FirstIntegrals, Motion, Orientation, ParameterError, Top};
 
 /// Largest number of sensors.
 pub const MAX_SENSORS: usize = 4;
@@ -66,7 +66,7 @@ impl Model {
         let known = ratios.iter().map(|ratio| ratio.deviation).chain(losses);
         known.zip(&mut slots).for_each(|(deviation, slot)| *slot = deviation);
         for (first, sensor) in model.biases.iter_mut().zip(sensors) {
-            let deviation = sensor.noise().bias;
+            let deviation = sensor.noise().bias_deviation;
             if deviation > 0.0 {
                 *first = Some(model.count);
                 slots.by_ref().take(3).for_each(|slot| *slot = deviation);
@@ -90,6 +90,13 @@ impl Model {
     pub(crate) fn losses(&self) -> impl Iterator<Item = (usize, f64)> {
         let unknowns = self.deviations.iter().copied().enumerate();
         unknowns.take(self.motion_count).skip(LAUNCH_COLUMNS + self.free_count)
+    }
+
+    /// Whether another model has the same unknowns, in the same order.
+    pub(crate) fn has_unknowns_of(&self, other: &Self) -> bool {
+        [self.free_count, self.motion_count] == [other.free_count, other.motion_count]
+            && self.free == other.free
+            && self.biases == other.biases
     }
 
     /// First bias of a sensor among the unknowns.
@@ -142,14 +149,18 @@ impl Model {
         self.equations(estimate).coefficients.top(&self.top)
     }
 
+    /// Motion of an estimate without losses.
+    pub(crate) fn motion(&self, estimate: &Estimate) -> Result<Motion, ParameterError> {
+        Motion::launch(&self.top_of(estimate)?, &estimate.state()?)
+    }
+
     /// Derivatives of the motion of an estimate with respect to the unknowns.
     fn sensitivity(&self, estimate: &Estimate) -> Option<Sensitivity> {
         let equations = self.equations(estimate);
         if self.has_losses() {
             return Some(Sensitivity::without_period(&equations, &estimate.body_state(), COARSE_STEP));
         }
-        let top = self.top_of(estimate).ok()?;
-        let motion = Motion::launch(&top, &estimate.state().ok()?).ok()?;
+        let motion = self.motion(estimate).ok()?;
         Some(Sensitivity::with_equations(&motion, &equations, COARSE_STEP))
     }
 
@@ -161,10 +172,12 @@ impl Model {
         Some((Estimate { orientation, omega, ..*estimate }, at))
     }
 
-    /// Mean rates of change of l, n and h between two estimates that are `span` apart; 0 where that is 0.
+    /// Mean rates of change of l, n and h between two estimates that are `span` apart: 0 where that is 0, and NaN where an estimate has
+    /// no motion.
     pub(crate) fn mean_rates(&self, estimates: [&Estimate; 2], span: f64) -> Vector<f64> {
         let [before, after] = estimates.map(|estimate| {
-            scaled(self.equations(estimate).integrals(&estimate.body_state()), self.top.transverse_inertia())
+            let integrals = self.motion(estimate).map(|motion| motion.first_integrals());
+            integrals.map_or([f64::NAN; 3], |FirstIntegrals { l, n, h, .. }| [l, n, h])
         });
         scaled(add_scaled(after, before, -1.0), if span > 0.0 { 1.0 / span } else { 0.0 })
     }
@@ -187,28 +200,5 @@ impl Model {
             self.deviations.map(|deviation| if deviation.is_finite() { 10.0 * deviation } else { 1.0 });
         units.iter_mut().take(LAUNCH_COLUMNS).skip(3).for_each(|unit| *unit = rate);
         units
-    }
-
-    /// Adds the information that damps a correction: a part `damping` of that along each unknown, as Marquardt does, and a standard
-    /// deviation of `limit` units. Damping is along the fixed axes, because yaw may be unobservable.
-    #[inline(never)] // stack
-    pub(crate) fn damp<F: Real>(
-        &self,
-        estimate: &Estimate,
-        information: &Information<F>,
-        [damping, limit]: [f64; 2],
-        damped: &mut Information<F>,
-    ) {
-        let launch = Tangent::along_body_axes(&estimate.orientation.inverse());
-        for (index, unit) in self.units(estimate).into_iter().enumerate().take(self.count) {
-            let mut direction = unit_row(index, F::ONE);
-            if let Some(along) = launch.iter().take(LAUNCH_COLUMNS).nth(index) {
-                direction.iter_mut().zip(along.components()).for_each(|(slot, x)| *slot = x);
-            }
-            let least = F::from_f64(1.0 / (limit * unit));
-            let square = information.square(&direction) * F::from_f64(damping);
-            let weight = (square + least.squared()).sqrt();
-            damped.add(direction.map(|x| weight * x), F::ZERO);
-        }
     }
 }

@@ -5,12 +5,15 @@ mod inertial;
 mod optical;
 
 use crate::sensitivity::{COLUMNS, Partials};
-use crate::vector::{Vector, add_scaled, cast, cast_orientation, coordinates};
+use crate::vector::{Vector, add_scaled, cast, coordinates};
 pub use inertial::{Accelerometer, Gyroscope, Magnetometer};
 pub use optical::{AxisCamera, Mark, OrientationCamera, TipCamera};
 use toytop::Complex;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
+
+/// Values of one reading; a sensor with fewer leaves the rest 0.
+pub type Values = [f64; 4];
 
 /// One reading of a sensor.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,8 +22,8 @@ pub struct Measurement {
     pub time: f64,
     /// Index of the sensor in the list that the fit was given.
     pub sensor: usize,
-    /// Values of the reading; a sensor with fewer leaves the rest 0.
-    pub values: [f64; 4],
+    /// Values, in the unit of the sensor.
+    pub values: Values,
 }
 
 /// Measurements in the order of time, which are read several times.
@@ -70,13 +73,13 @@ pub enum Hint {
 /// Sensor on the top or beside it, for fits in the scalar `F`. Implement it for an instrument of your own.
 pub trait Sensor<F = f64> {
     /// Difference of a reading from the prediction at a state, with its derivatives.
-    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F>;
+    fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F>;
 
     /// Noise and bias of each component.
     fn noise(&self) -> Noise;
 
     /// Information about the state, for the first guess of a fit.
-    fn hint(&self, values: &[f64; 4]) -> Hint {
+    fn hint(&self, values: &Values) -> Hint {
         let _ = values;
         Hint::None
     }
@@ -88,18 +91,19 @@ pub struct Noise {
     /// Standard deviation of one reading, > 0.
     pub deviation: f64,
     /// Prior standard deviation of the constant bias; 0 for none.
-    pub bias: f64,
+    pub bias_deviation: f64,
 }
 
 impl Noise {
     /// Noise without a bias.
     const fn unbiased(deviation: f64) -> Self {
-        Self { deviation, bias: 0.0 }
+        Self { deviation, bias_deviation: 0.0 }
     }
 
-    /// Whether the noise is positive, and the bias not negative.
+    /// Whether the deviation of the noise is positive, that of the bias not negative, and both finite.
     pub(crate) fn is_valid(&self) -> bool {
-        self.deviation > 0.0 && self.bias >= 0.0 && self.deviation.is_finite() && self.bias.is_finite()
+        let Self { deviation, bias_deviation } = *self;
+        deviation > 0.0 && bias_deviation >= 0.0 && (deviation + bias_deviation).is_finite()
     }
 }
 
@@ -117,12 +121,12 @@ impl Mounting {
     /// no information.
     fn residual<F: Real>(
         &self,
-        values: &[f64; 4],
+        values: &Values,
         (predicted, columns): (Vector<F>, [Vector<F>; COLUMNS]),
         noise: &Noise,
         range: f64,
     ) -> Residual<F> {
-        let in_sensor = coordinates(cast_orientation(&self.rotation));
+        let in_sensor = coordinates(self.rotation.map(F::from_f64));
         let reading = cast(three(values));
         let [range, deviation, unused] = cast([range, noise.deviation, f64::INFINITY]);
         Residual {
@@ -134,6 +138,6 @@ impl Mounting {
 }
 
 /// First three values of a reading.
-pub(crate) fn three([x, y, z, _]: &[f64; 4]) -> Vector<f64> {
+pub(crate) fn three([x, y, z, _]: &Values) -> Vector<f64> {
     [*x, *y, *z]
 }

@@ -20,14 +20,9 @@ pub(crate) fn unit(x: Vector<f64>) -> Option<Vector<f64>> {
     (norm(x) > 0.0).then(|| scaled(x, 1.0 / norm(x)))
 }
 
-/// Three or four numbers in another scalar.
-pub(crate) fn cast<F: Float, G: Float, const N: usize>(x: [F; N]) -> [G; N] {
-    x.map(|component| G::from_f64(component.to_f64()))
-}
-
-/// Orientation in another scalar.
-pub(crate) fn cast_orientation<F: Float, G: Float>(phi: &Orientation<F>) -> Orientation<G> {
-    phi.map(|number| G::from_f64(number.to_f64()))
+/// Numbers in the scalar of a computation.
+pub(crate) fn cast<F: Float, const N: usize>(x: [f64; N]) -> [F; N] {
+    x.map(F::from_f64)
 }
 
 /// Rotation about the third axis.

@@ -25,17 +25,17 @@ const EVERY: usize = 10;
 const MOUNTING: Mounting = Mounting { rotation: Orientation::IDENTITY, place: [0.0; 3] };
 
 pub const GYROSCOPE: Gyroscope = Gyroscope {
-    noise: Noise { deviation: 0.002, bias: 0.0175 },
+    noise: Noise { deviation: 0.002, bias_deviation: 0.0175 },
     mounting: MOUNTING,
     range: 0.999 * GYROSCOPE_RANGE,
 };
 pub const ACCELEROMETER: Accelerometer = Accelerometer {
-    noise: Noise { deviation: 0.022, bias: 0.2 },
+    noise: Noise { deviation: 0.022, bias_deviation: 0.2 },
     mounting: MOUNTING,
     range: 0.999 * ACCELEROMETER_RANGE,
 };
 pub const MAGNETOMETER: Magnetometer = Magnetometer {
-    noise: Noise { deviation: 0.6, bias: 0.0 },
+    noise: Noise { deviation: 0.6, bias_deviation: 0.0 },
     mounting: MOUNTING,
     field: [20.0, 0.0, -43.0],
 };

@@ -80,7 +80,7 @@ pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitRe
         return Err(("huber", "must be a number from 1, or inf".to_owned()));
     }
     let refuse = |error: FitError| match error {
-        FitError::LossDeviation => ("drift", "must be a positive number".to_owned()),
+        FitError::Deviation { .. } => ("drift", "must be a positive number".to_owned()),
         FitError::TooManyUnknowns if input.drift.is_some() => {
             ("free", "must be at most one name with a drift".to_owned())
         }
@@ -168,7 +168,7 @@ impl FitResult {
         let values = self.fitted.launch.other_unknowns()[before..].as_chunks().0;
         let deviations = deviations[6 + before..].as_chunks().0;
         let setups = self.input.sensors.setups.iter();
-        let biased = setups.filter(|setup| setup.sensor.noise().bias > 0.0);
+        let biased = setups.filter(|setup| setup.sensor.noise().bias_deviation > 0.0);
         let estimates =
             values.iter().zip(deviations).map(|(&value, &deviation)| Estimated { deviation, value });
         biased.map(|setup| setup.kind.name()).zip(estimates).collect()
@@ -223,7 +223,7 @@ impl FitResult {
         };
         let biases = self.biases();
         let residual = |Measurement { time, sensor, values }: &Measurement| {
-            let Some(partials) = sensitivity.advance_to(time - self.fitted.time) else {
+            let Some(partials) = sensitivity.advance_to(time - self.fitted.launch_time) else {
                 return [f64::NAN; 3];
             };
             let setup = &self.input.sensors.setups[*sensor];
@@ -246,8 +246,10 @@ impl FitResult {
         let refuse = |error: toytop::ParameterError| Failure::Input(format!("the fitted top: {error}"));
         self.fitted.motion().map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
-        let mut text =
-            format!("# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n", exact(self.fitted.time));
+        let mut text = format!(
+            "# Fitted by `toytop fit`; t = 0 is t = {} of the samples.\n",
+            exact(self.fitted.launch_time)
+        );
         if let Some(drift) = &self.fitted.drift {
             let deviations = drift.deviations();
             let rate = |(k, (name, unit)): (usize, &(&str, &str))| {

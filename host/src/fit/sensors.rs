@@ -241,8 +241,8 @@ static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not al
 
 fn setup(section: &Section<'_>, kind: SensorKind, com: [f64; 3]) -> Result<SensorSetup, Failure> {
     section.only(None, kind.description().2.iter().copied())?;
-    let [deviation, bias, range, quantum, every] = section.numbers(&NUMBERS)?;
-    let noise = Noise { deviation, bias };
+    let [deviation, bias_deviation, range, quantum, every] = section.numbers(&NUMBERS)?;
+    let noise = Noise { deviation, bias_deviation };
     if every.fract() != 0.0 {
         return Err(section.not_allowed(&NUMBERS[4]));
     }

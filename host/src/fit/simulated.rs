@@ -38,8 +38,10 @@ pub fn simulate_measurements(
     let mut cursor = sensitivity;
     let mut random = Random::new(recording.seed, 0);
     let setups = &sensors.setups;
-    let biases: Vec<_> =
-        setups.iter().map(|one| [0; 3].map(|_| one.sensor.noise().bias * normal(&mut random))).collect();
+    let biases: Vec<_> = setups
+        .iter()
+        .map(|one| [0; 3].map(|_| one.sensor.noise().bias_deviation * normal(&mut random)))
+        .collect();
     let mut measurements = Vec::new();
     // angles of the marks at the sample before
     let mut before: Vec<Option<f64>> = vec![None; setups.len()];

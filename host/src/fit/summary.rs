@@ -102,7 +102,7 @@ impl<'a> FitSummary<'a> {
         Self {
             converged: fitted.is_trusted(),
             reason: fit.reason.as_deref(),
-            epoch: fitted.time,
+            epoch: fitted.launch_time,
             quaternion: launch.orientation.quaternion(),
             orientation_deviation: [d0, d1, d2],
             omega: launch.omega,
@@ -137,7 +137,7 @@ impl Prediction {
         let Some(sensitivity) = motion.map(|motion| Sensitivity::new(&motion)) else { return Vec::new() };
         let at = |ahead: &f64| {
             let t = fit.end + ahead;
-            let [orientation_rad, axis_rad] = fit.predicted(&sensitivity.at(t - fit.fitted.time)?);
+            let [orientation_rad, axis_rad] = fit.predicted(&sensitivity.at(t - fit.fitted.launch_time)?);
             Some(Self { axis_rad, orientation_rad, t })
         };
         AHEAD.iter().filter_map(at).collect()

@@ -111,8 +111,8 @@ fn bad_measurements_are_refused_or_not_believed() {
 #[test]
 fn a_sensor_without_positive_noise_is_refused() {
     let refused = [(0.0, 0.0), (f64::NAN, 0.0), (f64::INFINITY, 0.0), (1.0, -1.0), (1.0, f64::NAN)];
-    for (deviation, bias) in refused {
-        let gyroscope = Gyroscope { noise: Noise { deviation, bias }, ..GYROSCOPE };
+    for (deviation, bias_deviation) in refused {
+        let gyroscope = Gyroscope { noise: Noise { deviation, bias_deviation }, ..GYROSCOPE };
         let sensors: [&dyn Sensor; 2] = [&ACCELEROMETER, &gyroscope];
         let refused = Fit::new(&toy(), &sensors, &[]).err();
         assert_eq!(refused, Some(FitError::SensorNoise { sensor: 1 }));

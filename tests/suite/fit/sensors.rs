@@ -3,7 +3,7 @@
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{
     Accelerometer, Fit, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Measurement, Mounting, Noise,
-    Partials, Residual, Sensitivity, Sensor,
+    Residual, Sensitivity, Sensor,
 };
 use toytop_tests::TOY;
 use toytop_tests::random::Random;
@@ -18,11 +18,14 @@ pub(crate) fn release(tilt: f64, spin: f64) -> State {
 }
 
 pub(crate) const GYROSCOPE: Gyroscope =
-    Gyroscope { noise: Noise { deviation: 2e-3, bias: 0.0175 }, mounting: mounting(), range: 34.9 };
-pub(crate) const ACCELEROMETER: Accelerometer =
-    Accelerometer { noise: Noise { deviation: 0.02, bias: 0.2 }, mounting: mounting(), range: 160.0 };
+    Gyroscope { noise: Noise { deviation: 2e-3, bias_deviation: 0.0175 }, mounting: mounting(), range: 34.9 };
+pub(crate) const ACCELEROMETER: Accelerometer = Accelerometer {
+    noise: Noise { deviation: 0.02, bias_deviation: 0.2 },
+    mounting: mounting(),
+    range: 160.0,
+};
 pub(crate) const MAGNETOMETER: Magnetometer = Magnetometer {
-    noise: Noise { deviation: 0.6, bias: 0.0 },
+    noise: Noise { deviation: 0.6, bias_deviation: 0.0 },
     mounting: mounting(),
     field: [20.0, 0.0, -43.0],
 };
@@ -43,33 +46,49 @@ pub(crate) fn readings(
     seed: u64,
 ) -> Vec<Measurement> {
     let mut sensitivity = Sensitivity::new(&Motion::launch(top, state).unwrap());
-    measured((0..count).map(|n| sensitivity.advance_to(f64::from(n) * 1e-3).unwrap()), sensors, seed)
+    let at = |n: u32| {
+        let partials = sensitivity.advance_to(f64::from(n) * 1e-3).unwrap();
+        let predicted = sensors.iter().map(|sensor| {
+            let Residual { difference, deviation, .. } = sensor.residual(&partials, &[0.0; 4]);
+            [difference.map(|x| -x), deviation]
+        });
+        Sample { orientation: partials.orientation(), predicted: predicted.collect() }
+    };
+    measured((0..count).map(at), sensors, seed)
+}
+
+/// Orientation, and the readings of the sensors without noise, with their standard deviations.
+pub(crate) struct Sample {
+    pub(crate) orientation: Orientation<f64>,
+    pub(crate) predicted: Vec<[[f64; 3]; 2]>,
 }
 
 /// Readings at 1 kHz with noise and biases; those of a camera get the noise in the fixed frame. The third sensor is the magnetometer, which
 /// is read at every tenth sample.
 pub(crate) fn measured(
-    partials: impl Iterator<Item = Partials>,
+    samples: impl Iterator<Item = Sample>,
     sensors: &[&dyn Sensor],
     seed: u64,
 ) -> Vec<Measurement> {
     let mut random = Random(seed);
-    let biases: Vec<[f64; 3]> =
-        sensors.iter().map(|sensor| [0; 3].map(|_| random.normal() * sensor.noise().bias)).collect();
+    let biases: Vec<[f64; 3]> = sensors
+        .iter()
+        .map(|sensor| [0; 3].map(|_| random.normal() * sensor.noise().bias_deviation))
+        .collect();
     let mut found = Vec::new();
-    for (n, partials) in (0_u32..).zip(partials) {
+    for (n, Sample { orientation, predicted }) in (0_u32..).zip(samples) {
         for (sensor, one) in
             sensors.iter().enumerate().filter(|(sensor, _)| *sensor < 2 || n.is_multiple_of(10))
         {
-            let Residual { difference, deviation, .. } = one.residual(&partials, &[0.0; 4]);
+            let [predicted, deviation] = predicted[sensor];
             // a component that does not exist has an infinite deviation
             let noise = deviation
                 .map(|deviation| if deviation.is_finite() { random.normal() * deviation } else { 0.0 });
             let camera = matches!(one.hint(&[1.0, 0.0, 0.0, 0.0]), Hint::Orientation(_));
             let values = if camera {
-                Orientation::exp(noise).compose(&partials.orientation()).quaternion()
+                Orientation::exp(noise).compose(&orientation).quaternion()
             } else {
-                let [x, y, z] = [0, 1, 2].map(|k| biases[sensor][k] + noise[k] - difference[k]);
+                let [x, y, z] = [0, 1, 2].map(|k| biases[sensor][k] + noise[k] + predicted[k]);
                 let range = if sensor == 0 { GYROSCOPE.range } else { f64::INFINITY };
                 [x, y, z, 0.0].map(|x| x.clamp(-range, range))
             };

@@ -162,7 +162,7 @@ fn a_decaying_nutation_is_not_a_wrong_unit() {
     let disc = TopParameters { transverse_inertia: 1.0, axial_inertia: 1.94, ..TOY };
     let top = Top::free(&disc).unwrap();
     let state = State::new(Orientation::IDENTITY, [3.9, 0.0, 32.0]).unwrap();
-    let gyroscope = Gyroscope { noise: Noise { deviation: 0.1, bias: 0.3 }, ..GYROSCOPE };
+    let gyroscope = Gyroscope { noise: Noise { deviation: 0.1, bias_deviation: 0.3 }, ..GYROSCOPE };
     let sensors: [&dyn Sensor; 2] = [&gyroscope, &OrientationCamera { deviation: 1e-3 }];
     // every tenth rate, and the first orientation
     let mut measurements: Vec<_> = readings(&top, &state, &sensors, 640, 5).into_iter().step_by(20).collect();

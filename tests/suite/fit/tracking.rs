@@ -4,7 +4,7 @@ use super::sensors::{
     ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, release,
 };
 use toytop::{Motion, State};
-use toytop_fit::{Fit, FitError, Measurement, Sensitivity, Sensor};
+use toytop_fit::{Fit, FitError, FreeRatio, Measurement, Sensitivity, Sensor};
 use toytop_tests::{length, toy};
 
 /// The top loses half a percent of ω between two blocks; the next block is fitted from the prediction of the first.
@@ -35,10 +35,17 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
     assert!(jump > 0.0 && jump < 0.02, "{jump}");
     for loss in [-1.0, f64::NAN, f64::INFINITY] {
         let refused = fit.track(&last, loss, second.iter().copied());
-        assert_eq!(refused.err(), Some(FitError::LossDeviation), "{loss}");
+        assert_eq!(refused.err(), Some(FitError::Deviation { parameter: "drift_deviation" }), "{loss}");
+    }
+    let free = Fit::new(&top, &SENSORS, &[FreeRatio::GRAVITY]).unwrap();
+    for mut other in
+        [free, Fit::new(&top, &SENSORS[..1], &[]).unwrap(), fit.clone().with_losses(LOSS).unwrap()]
+    {
+        let refused = other.track(&last, LOSS, second.iter().copied());
+        assert_eq!(refused.err(), Some(FitError::OtherUnknowns));
     }
     let mut later = last;
-    later.time = 10.0;
+    later.launch_time = 10.0;
     let late = fit.track(&later, 0.0, second.iter().copied());
     assert_eq!(late.err(), Some(FitError::OutOfOrder { index: 0 }));
     let mut invalid = last;

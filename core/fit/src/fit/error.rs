@@ -25,8 +25,13 @@ pub enum FitError {
     NoMeasurements,
     /// There are more than four sensors, or more than four free ratios, or more than one with losses.
     TooManyUnknowns,
-    /// The deviation of the losses is not finite, negative, or 0 where it must be positive.
-    LossDeviation,
+    /// A standard deviation is not finite, negative, or 0 where it must be positive.
+    Deviation {
+        /// Name of the parameter.
+        parameter: &'static str,
+    },
+    /// The last fit has other unknowns than this one.
+    OtherUnknowns,
     /// The motion of the last fit cannot be followed to the first measurement.
     LastFit,
     /// The deviation of a sensor's noise is not a positive number, or its bias has a negative or infinite deviation.
@@ -53,9 +58,10 @@ impl fmt::Display for FitError {
             Self::SensorNoise { sensor } => {
                 write!(f, "sensor {sensor}: its noise must be positive, and its bias not negative")
             }
-            Self::LossDeviation => {
-                f.write_str("losses: must be finite and positive, or 0 between two blocks")
+            Self::Deviation { parameter } => {
+                write!(f, "{parameter}: must be finite and positive, or 0 between two blocks")
             }
+            Self::OtherUnknowns => f.write_str("last fit: must have the same unknowns"),
             Self::LastFit => f.write_str("last fit: must be a motion that reaches the first measurement"),
         }
     }

@@ -4,7 +4,7 @@
 //! rates alone the orientation: several guesses are then tried.
 
 use crate::estimate::Estimate;
-use crate::fit::problem::Problem;
+use crate::fit::block::Block;
 use crate::sensors::{Hint, Measurements};
 use crate::vector::{UP, Vector, add_scaled, cast, cross, dot, norm, rotation_vector, scaled, unit};
 use core::f64::consts::PI;
@@ -142,8 +142,8 @@ fn aligned([fixed, body]: [Vector<f64>; 2]) -> Orientation<f64> {
 
 /// Guesses at the time of the first measurement, if there are any.
 #[inline(never)] // stack
-pub(super) fn guesses<F: Real>(problem: &Problem<F, impl Measurements>) -> Option<Guesses> {
-    let all = instants(problem).take(MAX_INSTANTS);
+pub(super) fn guesses<F: Real>(block: &Block<F, impl Measurements>, tip_scale: f64) -> Option<Guesses> {
+    let all = instants(block, tip_scale).take(MAX_INSTANTS);
     let end = all.clone().filter(Instant::is_oriented).nth(FIRST_INSTANTS);
     let end = end.map_or(f64::INFINITY, |instant| instant.time);
     let instants = all.take_while(|instant| instant.time < end);
@@ -170,7 +170,7 @@ pub(super) fn guesses<F: Real>(problem: &Problem<F, impl Measurements>) -> Optio
         (None, mean) => mean?,
     };
     // from the first instant with an orientation back to the first measurement
-    let [epoch, _] = problem.times;
+    let [epoch, _] = block.times;
     let orientation = orientation.compose(&Orientation::exp(scaled(omega, epoch - first.time)));
     Some(Guesses { orientation, omega, undetermined })
 }
@@ -187,13 +187,13 @@ fn guesses_from_axis(instants: impl Iterator<Item = Instant>, axis: Vector<f64>)
 }
 
 /// Instants of the measurements, one at a time: all would be too many for the stack.
-fn instants<F>(problem: &Problem<F, impl Measurements>) -> impl Iterator<Item = Instant> + Clone {
-    let mut ahead = problem.measurements().peekable();
+fn instants<F>(block: &Block<F, impl Measurements>, tip_scale: f64) -> impl Iterator<Item = Instant> + Clone {
+    let mut ahead = block.measurements().peekable();
     core::iter::from_fn(move || {
         let time = ahead.peek()?.time;
         let mut instant = Instant { time, ..Instant::default() };
         while let Some(measurement) = ahead.next_if(|measurement| measurement.time == time) {
-            instant.add(problem.hint(&measurement), problem.model.top.tip_scale());
+            instant.add(block.hint(&measurement), tip_scale);
         }
         Some(instant)
     })
@@ -253,8 +253,8 @@ fn axial_rate_from_circle<F: Real>(
     let intervals = times.clone().skip(1).zip(times).map(|(next, time)| next - time);
     let (shortest, longest) =
         intervals.fold((f64::INFINITY, 0.0_f64), |(least, most), span| (least.min(span), most.max(span)));
-    let mut step = libm::copysign(0.3 / longest, bound);
-    let steps = ((PI / shortest - 0.9 * libm::fabs(bound)) / libm::fabs(step)).min(2000.0) as u32;
+    let mut step = (0.3 / longest).copysign(bound);
+    let steps = ((PI / shortest - 0.9 * bound.abs()) / step.abs()).min(2000.0) as u32;
     let better = |(rate, least): (f64, F), tried: f64| {
         let value = mismatch(tried);
         if value < least { (tried, value) } else { (rate, least) }

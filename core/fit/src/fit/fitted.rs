@@ -3,7 +3,7 @@
 use crate::covariance::Covariance;
 use crate::estimate::Estimate;
 use crate::fit::error::FitWarning;
-use crate::fit::solver::Solver;
+use crate::fit::solver::Fit;
 use crate::fit::statistics::Statistics;
 use crate::model::Model;
 use crate::sensitivity::{
@@ -53,8 +53,8 @@ impl Drift {
 /// Result of a fit.
 #[derive(Clone, Copy, Debug)]
 pub struct Fitted {
-    /// Time of the launch: the first measurement, or with losses the last one.
-    pub time: f64,
+    /// Time of the launch: that of the first measurement, or with losses that of the last one.
+    pub launch_time: f64,
     /// Launch, biases and ratios.
     pub launch: Estimate,
     /// Covariance of the unknowns: rotation vector δ of Φ in the fixed frame, change η of ω in the frame that δ turns, logarithms of the
@@ -79,26 +79,25 @@ pub struct Fitted {
 }
 
 impl Fitted {
-    /// Result of the best estimate of a solver, for measurements between two times.
+    /// Result of the best estimate of a fit, for measurements between two times.
     pub(super) fn new<F: Real>(
-        model: &Model,
-        solver: &mut Solver<F>,
+        fit: &mut Fit<F>,
         [first, last]: [f64; 2],
         warning: Option<FitWarning>,
         other_launch_count: usize,
     ) -> Self {
-        let launch = solver.best.estimate;
+        let (model, launch) = (fit.model, fit.best.estimate);
         let mut fitted = Self {
-            time: first,
+            launch_time: first,
             launch,
             // with a larger limit, the covariance would lose digits of what is determined
-            covariance: Covariance::from_information(solver.damped(model, 0.0, 10.0)),
-            statistics: solver.best.statistics,
+            covariance: Covariance::from_information(fit.damped(0.0, 10.0)),
+            statistics: fit.best.statistics,
             unobservable: Unobservable::default(),
             warning,
             other_launch_count,
             unknown_count: model.count,
-            model: *model,
+            model,
             drift: None,
         };
         fitted.covariance.turn(&launch.orientation);
@@ -136,7 +135,7 @@ impl Fitted {
     /// # Errors
     /// The errors of [`Fitted::state`], [`Fitted::top`] and [`Motion::launch`].
     pub fn motion(&self) -> Result<Motion, ParameterError> {
-        Motion::launch(&self.top()?, &self.state()?)
+        self.model.motion(&self.launch)
     }
 
     /// Derivatives of the fitted motion from the launch on. With losses the motion includes the losses, and the
@@ -187,7 +186,7 @@ impl Fitted {
     #[inline(never)] // stack
     fn carry_to(&mut self, end: f64) -> Option<()> {
         let model = &self.model;
-        let span = end - self.time;
+        let span = end - self.launch_time;
         let (launch, at) = model.predicted(&self.launch, span)?;
         let rates = model.mean_rates([&self.launch, &launch], span);
         // a change of a loss changes nothing at the launch, and the integrals at the end by their gradients
@@ -205,7 +204,7 @@ impl Fitted {
         let covariance = self.covariance.of_vector(&rates_by);
         self.drift = Some(Drift { rates, covariance, losses: model.losses_of(&launch) });
         self.covariance.propagate(&at.tangents);
-        (self.time, self.launch) = (end, launch);
+        (self.launch_time, self.launch) = (end, launch);
         Some(())
     }
 }

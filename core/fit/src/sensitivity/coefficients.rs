@@ -1,5 +1,6 @@
 //! Coefficients of the equations of motion, and their derivatives with respect to the ratios and the losses.
 
+use crate::vector::cast;
 use toytop::scalar::Float;
 use toytop::{ParameterError, Support, Top, TopParameters};
 
@@ -26,19 +27,6 @@ pub(crate) struct Coefficients<F = f64> {
 }
 
 impl<F: Float> Coefficients<F> {
-    /// Coefficients in another scalar.
-    pub(crate) fn cast<G: Float>(&self) -> Coefficients<G> {
-        let cast = |x: F| G::from_f64(x.to_f64());
-        Coefficients {
-            c_over_a: cast(self.c_over_a),
-            p_over_a: cast(self.p_over_a),
-            s: cast(self.s),
-            g: cast(self.g),
-            k_over_a: cast(self.k_over_a),
-            losses: self.losses.map(cast),
-        }
-    }
-
     /// Rate n/A = (C/A) S + K/A of the gyroscopic torque.
     pub(crate) fn n_over_a(&self, spin: F) -> F {
         self.c_over_a * spin + self.k_over_a
@@ -62,6 +50,13 @@ impl Coefficients {
             k_over_a: top.rotor_momentum() / a,
             ..Self::default()
         }
+    }
+
+    /// Coefficients in the scalar of a computation.
+    pub(crate) fn cast<F: Float>(&self) -> Coefficients<F> {
+        let Self { c_over_a, p_over_a, s, g, k_over_a, losses } = *self;
+        let [c_over_a, p_over_a, s, g, k_over_a] = cast([c_over_a, p_over_a, s, g, k_over_a]);
+        Coefficients { c_over_a, p_over_a, s, g, k_over_a, losses: cast(losses) }
     }
 
     /// Top with these coefficients, and with the A, the rotor and the support of a given one.

@@ -134,10 +134,14 @@ impl Equations<f64> {
         Self { coefficients, changes: coefficients.by_ratios(top.support()), columns: COLUMNS }
     }
 
-    /// Equations in another scalar.
+    /// Equations in the scalar of a computation.
     pub(crate) fn cast<F: Float>(&self) -> Equations<F> {
-        let changes = self.changes.map(|change| change.cast());
-        Equations { coefficients: self.coefficients.cast(), changes, columns: self.columns }
+        let Self { coefficients, changes, columns } = self;
+        Equations {
+            coefficients: coefficients.cast(),
+            changes: changes.map(|by| by.cast()),
+            columns: *columns,
+        }
     }
 
     /// Upper bound on the frequencies of the motion, rad per unit time: the frequency of the gyroscopic torque, plus twice the greatest rate of
@@ -149,7 +153,7 @@ impl Equations<f64> {
         let rate = cross(state.transverse, axis);
         let [.., u_rate] = rate;
         let [.., u] = axis;
-        let n_over_a = libm::fabs(self.coefficients.n_over_a(state.spin));
+        let n_over_a = self.coefficients.n_over_a(state.spin).abs();
         let square = dot(rate, rate) + p_over_a * s * u_rate * u_rate;
         let hanging = libm::sqrt(square + 2.0 * p_over_a * g * (1.0 + u));
         let driven = libm::sqrt(square) + 2.0 * p_over_a * g / n_over_a;

@@ -1,4 +1,4 @@
-//! First integrals l, n and h, their gradients, and the growth of the derivatives in a period.
+//! Gradients of the first integrals l, n and h, and the growth of the derivatives in a period.
 //!
 //! A change of the launch that keeps l, n and h does not grow. The error of the integration makes it grow a million times in a
 //! million periods; the projection of the growth onto the gradients removes it.
@@ -6,7 +6,7 @@
 use crate::sensitivity::coefficients::Coefficients;
 use crate::sensitivity::equations::{Equations, cross_vertical};
 use crate::sensitivity::state::{BodyState, COLUMNS, LAUNCH_COLUMNS, Tangent};
-use crate::vector::{UP, Vector, add_all, add_scaled, cross, dot, scaled};
+use crate::vector::{UP, add_all, add_scaled, cross, scaled};
 
 impl Equations<f64> {
     /// Gradients of l/A, S and h/A with respect to θ and η.
@@ -31,21 +31,6 @@ impl Equations<f64> {
             Tangent { theta: [0.0; 3], eta: axis },
             Tangent { theta: energy, eta: kinetic },
         ]
-    }
-
-    /// First integrals l/A, n/A and h/A.
-    pub(crate) fn integrals(
-        &self,
-        &BodyState { orientation, transverse, spin }: &BodyState<f64>,
-    ) -> Vector<f64> {
-        let Coefficients { c_over_a, p_over_a, s, g, .. } = self.coefficients;
-        let axis = orientation.axis();
-        let [.., u] = axis;
-        let [.., vertical] = transverse;
-        let [.., u_rate] = cross(transverse, axis);
-        let n = self.coefficients.n_over_a(spin);
-        let square = dot(transverse, transverse) + c_over_a * spin * spin + p_over_a * s * u_rate * u_rate;
-        [vertical + n * u, n, 0.5 * square + p_over_a * g * u]
     }
 }
 

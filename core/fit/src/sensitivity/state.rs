@@ -1,6 +1,6 @@
 //! State of a motion, and small changes of it.
 
-use crate::vector::{UNITS, Vector, add_scaled, cast, cast_orientation, dot, scaled};
+use crate::vector::{UNITS, Vector, add_scaled, cast, dot, scaled};
 use toytop::scalar::Float;
 use toytop::su2::Orientation;
 
@@ -27,21 +27,23 @@ pub(crate) struct Tangent<F> {
     pub(crate) eta: Vector<F>,
 }
 
+impl BodyState<f64> {
+    /// State in the scalar of a computation.
+    pub(crate) fn cast<F: Float>(&self) -> BodyState<F> {
+        BodyState {
+            orientation: self.orientation.map(F::from_f64),
+            transverse: cast(self.transverse),
+            spin: F::from_f64(self.spin),
+        }
+    }
+}
+
 impl<F: Float> BodyState<F> {
     /// State of an orientation and an angular velocity ω in the fixed frame.
     pub(crate) fn new(orientation: Orientation<F>, omega: Vector<F>) -> Self {
         let axis = orientation.axis();
         let spin = dot(omega, axis);
         Self { orientation, transverse: add_scaled(omega, axis, -spin), spin }
-    }
-
-    /// State in another scalar.
-    pub(crate) fn cast<G: Float>(&self) -> BodyState<G> {
-        BodyState {
-            orientation: cast_orientation(&self.orientation),
-            transverse: cast(self.transverse),
-            spin: G::from_f64(self.spin.to_f64()),
-        }
     }
 
     /// Angular velocity ω = w + S r.

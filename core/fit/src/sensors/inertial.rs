@@ -1,7 +1,7 @@
 //! Instruments on the body: gyroscope, accelerometer and magnetometer.
 
 use crate::sensitivity::Partials;
-use crate::sensors::{Hint, Mounting, Noise, Residual, Sensor, three};
+use crate::sensors::{Hint, Mounting, Noise, Residual, Sensor, Values, three};
 use crate::vector::{UP, Vector, cast, dot, unit};
 use toytop::scalar::Real;
 
@@ -39,7 +39,7 @@ pub struct Magnetometer {
 }
 
 impl<F: Real> Sensor<F> for Gyroscope {
-    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
+    fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F> {
         self.mounting.residual(values, (at.omega_body(), at.d_omega_body()), &self.noise, self.range)
     }
 
@@ -47,18 +47,18 @@ impl<F: Real> Sensor<F> for Gyroscope {
         self.noise
     }
 
-    fn hint(&self, values: &[f64; 4]) -> Hint {
+    fn hint(&self, values: &Values) -> Hint {
         let reading = three(values);
-        let saturated = reading.map(|x| libm::fabs(x) >= self.range);
+        let saturated = reading.map(|x| x.abs() >= self.range);
         // a saturated axis of the sensor says little about the axial rate, unless it is across the top's axis
         let axis = self.mounting.rotation.inverse().axis();
-        let axial_is_saturated = saturated.iter().zip(axis).any(|(is, along)| *is && libm::fabs(along) > 0.1);
+        let axial_is_saturated = saturated.iter().zip(axis).any(|(is, along)| *is && along.abs() > 0.1);
         Hint::Rate { omega: self.mounting.rotation.adjoint(reading), axial_is_saturated }
     }
 }
 
 impl<F: Real> Sensor<F> for Accelerometer {
-    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
+    fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F> {
         let predicted = at.specific_force(cast(self.mounting.place));
         self.mounting.residual(values, predicted, &self.noise, self.range)
     }
@@ -67,7 +67,7 @@ impl<F: Real> Sensor<F> for Accelerometer {
         self.noise
     }
 
-    fn hint(&self, values: &[f64; 4]) -> Hint {
+    fn hint(&self, values: &Values) -> Hint {
         // away from the centre of mass, or the tip, most of the specific force comes from the rotation
         if dot(self.mounting.place, self.mounting.place) > 0.0 {
             return Hint::None;
@@ -77,7 +77,7 @@ impl<F: Real> Sensor<F> for Accelerometer {
 }
 
 impl<F: Real> Sensor<F> for Magnetometer {
-    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
+    fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F> {
         self.mounting.residual(values, at.direction(cast(self.field)), &self.noise, f64::INFINITY)
     }
 
@@ -85,7 +85,7 @@ impl<F: Real> Sensor<F> for Magnetometer {
         self.noise
     }
 
-    fn hint(&self, values: &[f64; 4]) -> Hint {
+    fn hint(&self, values: &Values) -> Hint {
         let body = self.mounting.rotation.adjoint(three(values));
         unit(self.field).map_or(Hint::None, |fixed| Hint::Direction { fixed, body })
     }

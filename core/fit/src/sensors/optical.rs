@@ -1,7 +1,7 @@
 //! Optical instruments beside the top: cameras, and a mark that passes a photo diode.
 
 use crate::sensitivity::Partials;
-use crate::sensors::{Hint, Noise, Residual, Sensor, three};
+use crate::sensors::{Hint, Noise, Residual, Sensor, Values, three};
 use crate::vector::{Vector, add_scaled, cast, cross, rotation_vector, unit};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
@@ -44,7 +44,7 @@ impl<F: Real> Sensor<F> for OrientationCamera {
         Noise::unbiased(self.deviation)
     }
 
-    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
+    fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F> {
         let measured = Orientation::from_quaternion(values.map(F::from_f64)).normalised();
         Residual {
             difference: rotation_vector(&measured.compose(&at.orientation().inverse())),
@@ -53,7 +53,7 @@ impl<F: Real> Sensor<F> for OrientationCamera {
         }
     }
 
-    fn hint(&self, values: &[f64; 4]) -> Hint {
+    fn hint(&self, values: &Values) -> Hint {
         Hint::Orientation(Orientation::from_quaternion(*values).normalised())
     }
 }
@@ -63,7 +63,7 @@ impl<F: Real> Sensor<F> for AxisCamera {
         Noise::unbiased(self.deviation)
     }
 
-    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
+    fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F> {
         Residual {
             difference: add_scaled(cast(three(values)), at.axis(), -F::ONE),
             deviation: [F::from_f64(self.deviation); 3],
@@ -71,7 +71,7 @@ impl<F: Real> Sensor<F> for AxisCamera {
         }
     }
 
-    fn hint(&self, values: &[f64; 4]) -> Hint {
+    fn hint(&self, values: &Values) -> Hint {
         unit(three(values)).map_or(Hint::None, Hint::Axis)
     }
 }
@@ -81,7 +81,7 @@ impl<F: Real> Sensor<F> for TipCamera {
         Noise::unbiased(self.deviation)
     }
 
-    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
+    fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F> {
         let ([x, y, _], tip): (Vector<F>, _) = (cast(three(values)), at.tip());
         let [deviation, unused] = [self.deviation, f64::INFINITY].map(F::from_f64);
         Residual {
@@ -91,7 +91,7 @@ impl<F: Real> Sensor<F> for TipCamera {
         }
     }
 
-    fn hint(&self, &[x, y, ..]: &[f64; 4]) -> Hint {
+    fn hint(&self, &[x, y, ..]: &Values) -> Hint {
         Hint::Tip(Complex::new(x, y))
     }
 }
@@ -101,7 +101,7 @@ impl<F: Real> Sensor<F> for Mark {
         Noise::unbiased(self.deviation)
     }
 
-    fn residual(&self, at: &Partials<F>, values: &[f64; 4]) -> Residual<F> {
+    fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F> {
         let [azimuth, ..] = *values;
         let place = at.in_fixed(cast(self.place));
         let [x, y, _] = place;

@@ -155,7 +155,7 @@ fn sensitivity(motion: &Motion) {
 
 /// Calls of a fit without an initial guess, and of the fit of a second block.
 fn fit(top: &Top) {
-    let noise = Noise { deviation: unknown(), bias: unknown() };
+    let noise = Noise { deviation: unknown(), bias_deviation: unknown() };
     let mounting = Mounting { place: [unknown(); 3], ..Mounting::default() };
     let gyroscope = Gyroscope { noise, mounting, range: unknown() };
     let accelerometer = Accelerometer { noise, mounting, range: unknown() };

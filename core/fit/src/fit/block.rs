@@ -1,16 +1,12 @@
-//! Sensors, unknowns and measurements of one fit.
+//! Measurements of one fit, checked, with their sensors.
 
 use crate::fit::error::FitError;
-use crate::model::Model;
 use crate::sensors::{Hint, Measurement, Measurements, Sensor};
 use crate::vector::Vector;
 
-/// Sensors, unknowns and measurements of one fit.
-pub(super) struct Problem<'a, F, M> {
+/// Measurements of one fit, checked, with their sensors.
+pub(super) struct Block<'a, F, M> {
     pub(super) sensors: &'a [&'a dyn Sensor<F>],
-    pub(super) model: &'a Model,
-    /// Largest residual that counts quadratically, in standard deviations.
-    pub(super) huber: f64,
     measurements: M,
     /// Number of measurements.
     pub(super) total: usize,
@@ -20,41 +16,35 @@ pub(super) struct Problem<'a, F, M> {
     rate_unit: f64,
 }
 
-impl<'a, F, M: Measurements> Problem<'a, F, M> {
-    /// Problem whose rates are in rad per unit time. Each measurement is checked.
+impl<'a, F, M: Measurements> Block<'a, F, M> {
+    /// Block whose rates are in rad per unit time. Each measurement is checked.
     #[inline(never)] // stack
-    pub(super) fn new(
-        sensors: &'a [&'a dyn Sensor<F>],
-        model: &'a Model,
-        huber: f64,
-        measurements: M,
-    ) -> Result<Self, FitError> {
+    pub(super) fn new(sensors: &'a [&'a dyn Sensor<F>], measurements: M) -> Result<Self, FitError> {
         let first = measurements.clone().next().ok_or(FitError::NoMeasurements)?.time;
-        let times = [first; 2];
-        let mut problem = Self { sensors, model, huber, total: 0, times, rate_unit: 1.0, measurements };
-        for (index, Measurement { time, sensor, values }) in problem.measurements.clone().enumerate() {
+        let mut block = Self { sensors, total: 0, times: [first; 2], rate_unit: 1.0, measurements };
+        for (index, Measurement { time, sensor, values }) in block.measurements.clone().enumerate() {
             if !time.is_finite() || values.iter().any(|x| !x.is_finite()) {
                 return Err(FitError::NotFinite { index });
             }
-            let [_, last] = &mut problem.times;
+            let [_, last] = &mut block.times;
             if time < *last {
                 return Err(FitError::OutOfOrder { index });
             }
             if sensor >= sensors.len() {
                 return Err(FitError::UnknownSensor { index });
             }
-            (*last, problem.total) = (time, index + 1);
+            (*last, block.total) = (time, index + 1);
         }
-        Ok(problem)
+        Ok(block)
     }
 
-    /// Problem whose rates are in degrees per unit time.
+    /// Block whose rates are in degrees per unit time.
     pub(super) fn in_degrees(&self) -> Self {
         let rate_unit = core::f64::consts::PI / 180.0;
         Self { rate_unit, measurements: self.measurements.clone(), ..*self }
     }
 
-    /// Measurements in the unit of the problem.
+    /// Measurements in the unit of the block.
     pub(super) fn measurements(&self) -> impl Measurements {
         self.measurements.clone().map(|mut measurement| {
             if self.rate_unit != 1.0 && matches!(self.hint(&measurement), Hint::Rate { .. }) {
