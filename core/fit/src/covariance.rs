@@ -20,14 +20,12 @@ pub struct Covariance {
 impl Covariance {
     pub(crate) const ZERO: Self = Self { lower: Triangle::ZERO };
 
-    /// Covariance (RᵀR)⁻¹ of an information. An unknown without any information gets the variance 0.
+    /// Adds the covariance (RᵀR)⁻¹ of an information. An unknown without any information gets no variance.
     #[inline(never)] // stack
-    pub(crate) fn from_information<F: Real>(information: &Information<F>) -> Self {
-        let mut covariance = Self::ZERO;
+    pub(crate) fn add_inverse<F: Real>(&mut self, information: &Information<F>) {
         for index in 0..information.count {
-            covariance.add_square(&information.triangle.inverse_column(index).map(F::to_f64));
+            self.add_square(&information.triangle.inverse_column(index).map(F::to_f64));
         }
-        covariance
     }
 
     /// Covariance of two unknowns, counted from 0; 0 where there is no such unknown.
@@ -89,6 +87,7 @@ impl Covariance {
     }
 
     /// Replaces the covariance of a launch along the body axes of an orientation by that along the fixed axes.
+    #[inline(never)] // stack
     pub(crate) fn turn(&mut self, phi: &Orientation<f64>) {
         self.propagate(&Tangent::along_body_axes(phi));
     }
@@ -184,7 +183,8 @@ mod tests {
             wide[..3].copy_from_slice(&row);
             information.add(wide, 1.0);
         }
-        let covariance = Covariance::from_information(&information);
+        let mut covariance = Covariance::ZERO;
+        covariance.add_inverse(&information);
         let normal = |i: usize, j: usize| rows.iter().map(|row| row[i] * row[j]).sum::<f64>();
         for i in 0..3 {
             for j in 0..3 {

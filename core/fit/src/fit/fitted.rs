@@ -9,7 +9,7 @@ use crate::model::Model;
 use crate::sensitivity::{
     COARSE_STEP, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity,
 };
-use crate::triangle::{MAX_UNKNOWNS, Unknowns};
+use crate::triangle::MAX_UNKNOWNS;
 use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, ParameterError, State, Top};
@@ -86,23 +86,23 @@ impl Fitted {
         warning: Option<FitWarning>,
         other_launch_count: usize,
     ) -> Self {
-        let (model, launch) = (fit.model, fit.best.estimate);
         let mut fitted = Self {
             launch_time: first,
-            launch,
-            // with a larger limit, the covariance would lose digits of what is determined
-            covariance: Covariance::from_information(fit.damped(0.0, 10.0)),
+            launch: fit.best.estimate,
+            covariance: Covariance::ZERO,
             statistics: fit.best.statistics,
             unobservable: Unobservable::default(),
             warning,
             other_launch_count,
-            unknown_count: model.count,
-            model,
+            unknown_count: fit.model.count,
+            model: fit.model,
             drift: None,
         };
-        fitted.covariance.turn(&launch.orientation);
-        fitted.unobservable = unobservable(&fitted, &model.units(&launch));
-        if model.has_losses() && fitted.carry_to(last).is_none() {
+        // with a larger limit, the covariance would lose digits of what is determined
+        fitted.covariance.add_inverse(fit.damped(0.0, 10.0));
+        fitted.covariance.turn(&fit.best.estimate.orientation);
+        fitted.unobservable = unobservable(&fitted);
+        if fitted.model.has_losses() && fitted.carry_to(last).is_none() {
             fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
         }
         fitted
@@ -218,8 +218,9 @@ const ALIGNED_SINE: f64 = 0.1;
 /// 1 - (1 + C)⁻¹. A named direction d is undetermined if its information d (ε² + C)⁻¹ d is below 1, for a small ε: at a small tilt, yaw and
 /// roll are nearly the same rotation.
 #[inline(never)] // stack
-fn unobservable(fitted: &Fitted, units: &Unknowns) -> Unobservable {
-    let Fitted { launch, unknown_count: count, .. } = *fitted;
+fn unobservable(fitted: &Fitted) -> Unobservable {
+    let Fitted { launch, unknown_count: count, model, .. } = fitted;
+    let (units, count) = (&model.units(launch), *count);
     let factor = |least: f64, count: usize| {
         let mut sum = fitted.covariance.in_units(units);
         (0..count).for_each(|index| sum.add_variance(index, least));

@@ -29,7 +29,7 @@ const COST_ERROR: f64 = 0.05;
 ///
 /// The unknowns are the launch, the free ratios, and the constant biases of the sensors. The scalar `f32` suffices for sensors whose noise
 /// is at least 1e-4 of their readings; the fit then keeps 5.4 KB, whatever the number of measurements, and takes
-/// 15 KB of stack.
+/// 13 KB of stack.
 #[derive(Clone)]
 pub struct Fit<'a, F = f64> {
     pub(super) sensors: &'a [&'a dyn Sensor<F>],
