@@ -40,7 +40,7 @@ mod checks {
     pub mod timings;
 }
 
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use checks::*;
 use clap::{ArgMatches, Args, Command};
 use clap_complete::Shell;

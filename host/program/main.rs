@@ -2,8 +2,8 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | `files` | files that a command writes: completely or not at all, and pages of the documentation |
-//! | `terminal` | command line, standard output, tables of texts, work on all processor cores with its progress |
+//! | `files` | files that a command writes: completely or not at all, its output, and pages of the documentation |
+//! | `terminal` | command line, report, tables of texts, work on all processor cores with its progress |
 //! | `arguments` | arguments of several commands: numbers and ranges, times, options |
 //! | `commands` | the commands |
 
@@ -14,10 +14,11 @@ mod files {
     pub mod whole_file;
 
     pub mod doc_page;
+    pub mod file_or_stdout;
 }
 mod terminal {
     pub mod parallel;
-    pub mod stdout;
+    pub mod report;
     pub mod table;
 
     pub mod command_line;

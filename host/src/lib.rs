@@ -7,7 +7,7 @@
 //! |---|---|
 //! | [`output`] | CSV and JSON |
 //! | [`input`] | scenario files, built-in motions, random numbers |
-//! | [`parallel`] | threads on all processor cores |
+//! | [`threads`] | threads on all processor cores |
 //! | [`mod@reference`] | the paper's integrals to more than thirty digits |
 //! | [`motion`] | motion at given times by the core or the full equations, its samples and constants |
 //! | [`fit`] | sensors, samples and a launch fitted to them |
@@ -22,7 +22,7 @@ pub mod output;
 
 pub mod input;
 
-pub mod parallel;
+pub mod threads;
 
 pub mod reference;
 

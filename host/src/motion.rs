@@ -1,15 +1,18 @@
-//! Motion at given times by the core's ephemeris, its stepper or the full equations, and quantities of a motion.
+//! Motion at given times by the core's table, its stepper or the full equations, and quantities of a motion.
 //!
 //! | module | contents |
 //! |---|---|
 //! | [`Scalar`] | scalar types of the core |
+//! | [`times`] | times spread over an interval, and their order for a method that steps |
 //! | [`sample`] | motion at one time |
 //! | [`euler_angles`], [`mod@column`] | quantities of a sample |
 //! | [`errors`] | errors of samples, and drifts of the first integrals |
-//! | [`ephemeris`] | ephemeris in the smallest table that fits |
-//! | [`tip_angle`] | tip angle of an ephemeris, continued from t = 0 |
+//! | [`evaluator`] | smallest table that fits, or the closed form of an aperiodic motion |
+//! | [`tip_angle`] | tip angle of a table, continued from t = 0 |
 //! | [`stepper`] | stepper at given times |
 //! | [`full_solver`] | integration of the full 3-D equations |
+
+pub mod times;
 
 pub mod sample;
 
@@ -19,17 +22,15 @@ pub mod column;
 
 pub mod errors;
 
-pub mod ephemeris;
+pub mod evaluator;
 pub mod tip_angle;
 
 pub mod stepper;
 
 pub mod full_solver;
 
-pub use toytop_model::constants::{regime, tilts};
-pub use toytop_model::timed_motion::TimedMotion;
-
 use toytop_model::constants::{Constant, Value};
+use toytop_model::timed_motion::TimedMotion;
 
 /// Scalar types of the core.
 #[derive(Clone, Copy, PartialEq)]
@@ -58,13 +59,6 @@ impl Scalar {
             Self::Q15 => "q15",
         }
     }
-}
-
-/// Times in [0, `end`], s: one in each of `count` equal parts, shifted within the part by multiples of the golden section.
-pub fn spread_times(end: f64, count: u32) -> Vec<f64> {
-    const GOLDEN_SECTION: f64 = 0.618_033_988_749_894_9;
-    let part = end / f64::from(count);
-    (0..count).map(|i| part * (f64::from(i) + (f64::from(i) * GOLDEN_SECTION).fract())).collect()
 }
 
 /// Value of a constant in JSON; null where the motion does not have it.

@@ -12,7 +12,7 @@ pub mod page;
 use crate::Failure;
 use crate::input::require_within;
 use crate::motion::Scalar;
-use crate::motion::ephemeris::MotionEphemeris;
+use crate::motion::evaluator::MotionEvaluator;
 use crate::motion::sample::MotionSample;
 use crate::output::significant;
 use toytop_model::display_duration::{cycle, display_duration, periods};
@@ -20,7 +20,7 @@ use toytop_model::timed_motion::TimedMotion;
 
 /// Motion between two times.
 pub struct MotionSpan {
-    ephemeris: MotionEphemeris,
+    evaluator: MotionEvaluator,
     /// First and last time, s.
     pub ends: [f64; 2],
     /// Number of nutation periods, where they determine the last time.
@@ -37,11 +37,11 @@ impl MotionSpan {
     /// * `most_cycles`: greatest number of nutation periods or turns
     ///
     /// # Errors
-    /// [`Failure::Input`]: times beyond the reach of the ephemeris, or too many cycles. [`Failure::Method`]: no ephemeris is large
+    /// [`Failure::Input`]: times beyond the reach of the table, or too many cycles. [`Failure::Method`]: no table is large
     /// enough.
     pub fn new(motion: &TimedMotion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
-        let ephemeris = MotionEphemeris::new(motion, Scalar::F64)?;
-        require_within(times.into_iter().flatten(), ephemeris.furthest_time(), " s")?;
+        let evaluator = MotionEvaluator::new(motion, Scalar::F64)?;
+        require_within(times.into_iter().flatten(), evaluator.furthest_time(), " s")?;
         let longest = most_cycles * cycle(motion);
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)
             && !motion.regime().is_vertical()
@@ -53,13 +53,13 @@ impl MotionSpan {
         }
         let periods = periods(motion).filter(|_| times.is_none());
         let ends =
-            times.unwrap_or_else(|| [0.0, display_duration(motion, |t| ephemeris.pose(t).tip.modulus())]);
-        Ok(Self { ephemeris, ends, periods })
+            times.unwrap_or_else(|| [0.0, display_duration(motion, |t| evaluator.pose(t).tip.modulus())]);
+        Ok(Self { evaluator, ends, periods })
     }
 
     /// Sample at a time.
     pub fn at(&self, t: f64) -> MotionSample {
-        self.ephemeris.at(t)
+        self.evaluator.at(t)
     }
 
     /// Times of this number, evenly spread, both ends included.
@@ -73,7 +73,7 @@ impl MotionSpan {
         const MIN_POINTS: u64 = 1500;
         const POINTS_IN_A_CYCLE: f64 = 64.0;
         let [from, until] = self.ends;
-        let cycles = ((until - from) / cycle(&self.ephemeris.motion)).ceil().min(MAX_CYCLES);
+        let cycles = ((until - from) / cycle(&self.evaluator.motion)).ceil().min(MAX_CYCLES);
         self.times(MIN_POINTS.max((POINTS_IN_A_CYCLE * cycles) as u64 + 1))
     }
 

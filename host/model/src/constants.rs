@@ -2,6 +2,7 @@
 
 use crate::start::{axis_at_start, momentum};
 use crate::timed_motion::{TimedMotion, natural_time};
+use crate::unit::Unit::{self, Any, Si};
 use core::f64::consts::PI;
 use toytop::scalar::{Float, Real};
 use toytop::{Level, Motion, Regime, TipClass};
@@ -11,8 +12,8 @@ use toytop::{Level, Motion, Regime, TipClass};
 pub struct Constant {
     /// Key of its value.
     pub name: &'static str,
-    /// Unit in SI; in a scenario without units, s is the unit of time.
-    pub unit: &'static str,
+    /// Unit; in a scenario without units, s is the unit of time.
+    pub unit: Unit,
     /// Definition, in words.
     pub meaning: &'static str,
     /// Function of the motion.
@@ -31,7 +32,7 @@ pub enum Value {
     Word(fn(&TimedMotion) -> &'static str),
 }
 
-const fn number(name: &'static str, unit: &'static str, meaning: &'static str, value: NumberOf) -> Constant {
+const fn number(name: &'static str, unit: Unit, meaning: &'static str, value: NumberOf) -> Constant {
     Constant { name, unit, meaning, value: Value::Number(value) }
 }
 
@@ -40,7 +41,7 @@ const fn word(
     meaning: &'static str,
     value: fn(&TimedMotion) -> &'static str,
 ) -> Constant {
-    Constant { name, unit: "", meaning, value: Value::Word(value) }
+    Constant { name, unit: Any(""), meaning, value: Value::Word(value) }
 }
 
 /// Names and functions of all constants that are numbers, with the numbers of the top and of the start.
@@ -54,43 +55,43 @@ pub fn number_constants() -> impl Iterator<Item = (&'static str, NumberOf)> {
 
 /// Constants of a motion, as `toytop constants` prints them.
 pub static CONSTANTS: [Constant; 28] = [
-    number("l", "kg m^2/s", "Angular momentum about the vertical", |motion| motion.first_integrals().l),
-    number("n", "kg m^2/s", "Angular momentum about the symmetry axis, C spin + K", |motion| {
+    number("l", Si("kg m^2/s"), "Angular momentum about the vertical", |motion| motion.first_integrals().l),
+    number("n", Si("kg m^2/s"), "Angular momentum about the symmetry axis, C spin + K", |motion| {
         motion.first_integrals().n
     }),
     number(
         "h",
-        "kg m^2/s^2",
+        Si("kg m^2/s^2"),
         "Energy; the potential energy is 0 where the centre of mass is at the height of the tip",
         |motion| motion.first_integrals().h,
     ),
-    number("e1", "", "Least cosine of the tilt", |motion| motion.branch_points().e1),
-    number("e2", "", "Greatest cosine of the tilt", |motion| motion.branch_points().e2),
+    number("e1", Any(""), "Least cosine of the tilt", |motion| motion.branch_points().e1),
+    number("e2", Any(""), "Greatest cosine of the tilt", |motion| motion.branch_points().e2),
     number(
         "e3",
-        "",
+        Any(""),
         "Third root, at least 1, of the cubic whose other roots are e1 and e2; infinite without torque",
         |motion| motion.branch_points().e3,
     ),
     number(
         "e4",
-        "",
+        Any(""),
         "Measure √(1 + A/(p s)) of the effect of the sliding tip; none for a held tip or a free body",
         |motion| motion.top().e4().unwrap_or(f64::NAN),
     ),
-    number("one_plus_e1", "", "Sum 1 + e1, without the rounding of e1", |motion| {
+    number("one_plus_e1", Any(""), "Sum 1 + e1, without the rounding of e1", |motion| {
         motion.branch_points().one_plus_e1
     }),
-    number("one_minus_e2", "", "Difference 1 - e2, without the rounding of e2", |motion| {
+    number("one_minus_e2", Any(""), "Difference 1 - e2, without the rounding of e2", |motion| {
         motion.branch_points().one_minus_e2
     }),
-    number("e2_minus_e1", "", "Difference e2 - e1, without the rounding of either", |motion| {
+    number("e2_minus_e1", Any(""), "Difference e2 - e1, without the rounding of either", |motion| {
         motion.branch_points().e2_minus_e1
     }),
-    number("e3_minus_e2", "", "Difference e3 - e2, without the rounding of either", |motion| {
+    number("e3_minus_e2", Any(""), "Difference e3 - e2, without the rounding of either", |motion| {
         motion.branch_points().e3_minus_e2
     }),
-    number("e3_minus_one", "", "Difference e3 - 1, without the rounding of e3", |motion| {
+    number("e3_minus_one", Any(""), "Difference e3 - 1, without the rounding of e3", |motion| {
         motion.branch_points().e3_minus_one
     }),
     word(
@@ -100,25 +101,25 @@ pub static CONSTANTS: [Constant; 28] = [
     ),
     number(
         "period",
-        "s",
+        Si("s"),
         "Nutation period; where the tilt is constant, that of a small nutation; none where no motion nearby is periodic",
         |motion| motion.period(),
     ),
     number(
         "alpha_turns",
-        "turns a period",
+        Any("turns a period"),
         "Advance of the argument of the Cayley-Klein parameter α in a period, whole turns included",
         |motion| motion.advance_of(|advance| advance.alpha_turns),
     ),
     number(
         "beta_turns",
-        "turns a period",
+        Any("turns a period"),
         "Advance of the argument of the Cayley-Klein parameter β in a period, whole turns included",
         |motion| motion.advance_of(|advance| advance.beta_turns),
     ),
     number(
         "phi_per_period",
-        "rad a period",
+        Any("rad a period"),
         "Advance of the tip angle in a period; none where the axis is vertical",
         |motion| motion.phi_per_period(),
     ),
@@ -129,39 +130,42 @@ pub static CONSTANTS: [Constant; 28] = [
     ),
     number(
         "min_normal_force",
-        "weights",
+        Any("weights"),
         "Least normal force of the plane, below 0 where a real top leaves it; none for a held tip or a free body",
         |motion| motion.min_normal_force().unwrap_or(f64::NAN),
     ),
     number(
         "min_tilt_deg",
-        "degrees",
+        Any("degrees"),
         "Least tilt, the angle of the axis from the upward vertical",
         |motion| tilts(motion)[0],
     ),
-    number("max_tilt_deg", "degrees", "Greatest tilt", |motion| tilts(motion)[1]),
-    number("nutation_hz", "1/s", "Number of nutations in a second", |motion| 1.0 / motion.period()),
-    number("mean_precession_deg_per_s", "degrees/s", "Mean rate of the axis about the vertical", |motion| {
-        360.0 * mean_precession(motion)
-    }),
-    number("mean_precession_rpm", "turns/min", "Mean rate of the axis about the vertical", |motion| {
+    number("max_tilt_deg", Any("degrees"), "Greatest tilt", |motion| tilts(motion)[1]),
+    number("nutation_hz", Si("1/s"), "Number of nutations in a second", |motion| 1.0 / motion.period()),
+    number(
+        "mean_precession_deg_per_s",
+        Si("degrees/s"),
+        "Mean rate of the axis about the vertical",
+        |motion| 360.0 * mean_precession(motion),
+    ),
+    number("mean_precession_rpm", Si("turns/min"), "Mean rate of the axis about the vertical", |motion| {
         60.0 * mean_precession(motion)
     }),
-    number("spin_deg_per_s", "degrees/s", "Component of the angular velocity along the axis", |motion| {
+    number("spin_deg_per_s", Si("degrees/s"), "Component of the angular velocity along the axis", |motion| {
         360.0 * spin(motion)
     }),
-    number("spin_rpm", "turns/min", "Component of the angular velocity along the axis", |motion| {
+    number("spin_rpm", Si("turns/min"), "Component of the angular velocity along the axis", |motion| {
         60.0 * spin(motion)
     }),
     number(
         "critical_spin_deg_per_s",
-        "degrees/s",
+        Si("degrees/s"),
         "Spin above which an upright top is stable, (2√(A p g) - K)/C",
         |motion| 360.0 * critical_spin(motion),
     ),
     number(
         "critical_spin_rpm",
-        "turns/min",
+        Si("turns/min"),
         "Spin above which an upright top is stable, (2√(A p g) - K)/C",
         |motion| 60.0 * critical_spin(motion),
     ),

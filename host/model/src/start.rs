@@ -2,18 +2,13 @@
 
 use crate::equations::cross;
 use core::array::from_fn;
+use toytop::Motion;
 use toytop::scalar::{Float, Real, Ring};
-use toytop::{AttitudeState, Motion};
-
-/// Orientation and angular velocity at t = 0.
-pub(crate) fn at_start(motion: &Motion) -> AttitudeState<f64> {
-    motion.attitude_at_launch()
-}
 
 /// Tilt and azimuth of the axis at t = 0, rad, and their rates, rad/s. Where the axis is vertical, the azimuth rate is 0, and the tilt rate
 /// is the speed at which the axis leaves the vertical.
 pub(crate) fn axis_at_start(motion: &Motion) -> [f64; 4] {
-    let state = at_start(motion);
+    let state = motion.attitude_at_launch();
     let (axis, u) = (state.orientation.axis(), state.orientation.u().clamp(-1.0, 1.0));
     let ([x, y, _], [rx, ry, rz]) = (axis, cross(state.omega(), axis));
     let level = Float::sqrt(x * x + y * y);
@@ -30,7 +25,7 @@ pub(crate) fn momentum(motion: &Motion) -> [f64; 3] {
     if !motion.top().is_torque_free() {
         return [f64::NAN; 3];
     }
-    let state = at_start(motion);
+    let state = motion.attitude_at_launch();
     let (r, n) = (state.orientation.axis(), motion.first_integrals().n);
     let swing = cross(r, cross(state.omega(), r));
     from_fn(|i| motion.top().transverse_inertia() * swing[i] + n * r[i])
@@ -70,7 +65,7 @@ mod tests {
     #[test]
     fn a_free_body_has_its_angular_momentum() {
         let motion = thrown(Support::Free, [3.0e-5, 2.0e-5, 0.0, 0.0, 0.0, 0.0, 1.0e-3]);
-        let state = at_start(&motion);
+        let state = motion.attitude_at_launch();
         let (r, omega) = (state.orientation.axis(), state.omega());
         let axial = -1.0e-5 * 150.0 + 1.0e-3;
         for (i, found) in momentum(&motion).into_iter().enumerate() {

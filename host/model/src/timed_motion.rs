@@ -1,7 +1,6 @@
 //! Motion whose period is integrated once, and the ticks of its table.
 
 use crate::equations::dot;
-use crate::start::at_start;
 use core::f64::consts::PI;
 use core::ops::Deref;
 use toytop::scalar::Float;
@@ -45,7 +44,7 @@ impl TimedMotion {
     pub fn ticks_per_time(&self) -> f64 {
         /// A [`Tick`] has 32 bits on both sides.
         const MOST: f64 = (1_u32 << 31) as f64;
-        let omega = at_start(self).omega();
+        let omega = self.attitude_at_launch().omega();
         let fastest = Float::sqrt(dot(omega, omega)).max(1000.0 / self.characteristic_time());
         let mut rate = MOST.recip();
         while rate < fastest.min(MOST) {

@@ -4,22 +4,15 @@ use toytop::{
     Complex, Motion, Orientation, ParameterError, Regime, SizedTable, Table, TableMemory, TableScalar,
     TableSettings, Workspace,
 };
-use toytop_model::aperiodic::AperiodicMotion;
+use toytop_model::evaluator::Evaluator;
 use toytop_model::timed_motion::TimedMotion;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct PageTable {
     memory: TableMemory<SizedTable<f64, 4096>>,
-    method: Method,
+    /// Evaluator of the motion, whose table is in `memory`.
+    evaluator: Evaluator<()>,
     ticks_per_time: f64,
-}
-
-/// Method that computes a motion.
-#[repr(u8)] // the first variant is 0: see `PageTable::EMPTY`
-#[allow(clippy::large_enum_variant)] // there is no heap, and one table
-enum Method {
-    Table,
-    ClosedForm(AperiodicMotion),
 }
 
 /// Orientation, u, axis and tip at one time: Re α, Im α, Re β, Im β, u, r₁, r₂, r₃, c₁, c₂.
@@ -30,7 +23,8 @@ const TRUNCATIONS: [f64; 4] = [f64::TRUNCATION, 1e-12, 1e-9, 1e-6];
 
 impl PageTable {
     /// Table before its first motion. All its bits are 0, so that it takes no space in a file.
-    pub const EMPTY: Self = Self { memory: TableMemory::new(), method: Method::Table, ticks_per_time: 0.0 };
+    pub const EMPTY: Self =
+        Self { memory: TableMemory::new(), evaluator: Evaluator::Table(()), ticks_per_time: 0.0 };
 
     /// Sets the table up for another motion.
     ///
@@ -38,20 +32,16 @@ impl PageTable {
     /// `e3`: the motion is so close to the separatrix that no table holds it.
     pub fn set_up(&mut self, motion: &TimedMotion) -> Result<(), ParameterError> {
         self.ticks_per_time = motion.ticks_per_time();
-        self.method = AperiodicMotion::new(motion).map_or(Method::Table, Method::ClosedForm);
-        if matches!(self.method, Method::ClosedForm(_)) {
-            return Ok(());
-        }
         let settings = TableSettings::new(motion.tick());
         let mut fits = |truncation: &f64| {
             let settings = TableSettings { truncation: Some(*truncation), ..settings };
             self.memory.set_up(&mut Workspace::new(), motion, settings, &mut || {}).is_ok()
         };
-        if TRUNCATIONS.iter().any(&mut fits) {
-            return Ok(());
-        }
         let allowed = "further from e2: no table holds this motion";
-        Err(ParameterError::OutOfRange { parameter: "e3", allowed })
+        let refusal = ParameterError::OutOfRange { parameter: "e3", allowed };
+        self.evaluator =
+            Evaluator::new(motion, || TRUNCATIONS.iter().any(&mut fits).then_some(()).ok_or(refusal))?;
+        Ok(())
     }
 
     /// Whether the table can hold a motion, or a closed form follows it.
@@ -62,25 +52,25 @@ impl PageTable {
 
     /// Orientation and tip at t, with t taken as exact; the identity before the first motion.
     pub fn at(&self, t: f64) -> (Orientation<f64>, Complex<f64>) {
-        match (&self.method, self.memory.get()) {
-            (Method::ClosedForm(motion), _) => {
+        match (&self.evaluator, self.memory.get()) {
+            (Evaluator::ClosedForm(motion), _) => {
                 let (state, tip) = motion.at(t);
                 (state.orientation, tip)
             }
-            (Method::Table, Some(table)) => {
+            (Evaluator::Table(()), Some(table)) => {
                 let pose = table.at(t).pose();
                 (pose.orientation, pose.tip)
             }
-            (Method::Table, None) => (Orientation::IDENTITY, Complex::ZERO),
+            (Evaluator::Table(()), None) => (Orientation::IDENTITY, Complex::ZERO),
         }
     }
 
     /// Bound on the orientation error at t = 0, rad, and its growth, rad per unit time.
     pub fn error_bound(&self) -> [f64; 2] {
-        let bound = match (&self.method, self.memory.get()) {
-            (Method::ClosedForm(motion), _) => motion.error_bound(),
-            (Method::Table, Some(table)) => table.error_bound(),
-            (Method::Table, None) => return [f64::INFINITY; 2],
+        let bound = match (&self.evaluator, self.memory.get()) {
+            (Evaluator::ClosedForm(motion), _) => motion.error_bound(),
+            (Evaluator::Table(()), Some(table)) => table.error_bound(),
+            (Evaluator::Table(()), None) => return [f64::INFINITY; 2],
         };
         [bound.constant, bound.per_tick * self.ticks_per_time]
     }

@@ -8,8 +8,9 @@ use toytop_host::motion::Scalar;
 /// Method by which `state` reaches a time.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub enum Method {
-    /// Ephemeris of the core: any time at the same cost
-    Ephemeris,
+    /// Table of the core: any time at the same cost
+    #[value(name = "ephemeris")]
+    Table,
     /// Stepper of the core
     Stepper,
     /// Numerical integration of the full 3-D equations
@@ -22,7 +23,7 @@ impl Method {
     /// Name on the command line.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Ephemeris => "ephemeris",
+            Self::Table => "ephemeris",
             Self::Stepper => "stepper",
             Self::Full => "full",
             Self::ClosedForm => "closed-form",
@@ -57,6 +58,11 @@ pub fn ending_in(endings: &'static [&'static str]) -> impl Fn(&str) -> Result<Pa
             Err(format!("must end in {}", endings.join(" or ")))
         }
     }
+}
+
+/// Parser of the name of a file or folder other than standard output, which has the report.
+pub fn not_stdout(name: &str) -> Result<PathBuf, &'static str> {
+    if name == "-" { Err("must not be -, because stdout has the report") } else { Ok(name.into()) }
 }
 
 /// Two times, LOW..HIGH, s.

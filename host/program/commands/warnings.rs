@@ -2,7 +2,7 @@
 
 use toytop::{Motion, Regime, Support};
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::tilts;
+use toytop_model::constants::tilts;
 
 /// Warnings of lift-off, fall and instability of a real top: a line for each reason, with the names of the motions.
 pub fn warnings(scenarios: &[Scenario]) -> Vec<String> {

@@ -38,6 +38,18 @@ impl DocPage {
         let [before, after] = &self.around;
         whole_file::write("--accept", &self.path, [before, part, after].concat().as_bytes())
     }
+
+    /// Asserts that a page has this part, or with the environment variable `TOYTOP_ACCEPT` writes it.
+    #[cfg(test)]
+    pub fn assert_current(page: &str, mark: &str, part: &str) {
+        let read = Self::read(page, mark).expect(page);
+        if std::env::var_os("TOYTOP_ACCEPT").is_some() {
+            read.write(part).expect(page);
+        }
+        let text = std::fs::read_to_string(&read.path).expect(page);
+        let is_current = text == [&read.around[0], part, &read.around[1]].concat();
+        assert!(is_current, "{page}: stale; with TOYTOP_ACCEPT=1 this test writes it anew:\n{part}");
+    }
 }
 
 /// Root of the repository: the current folder, or the nearest one above it, that has this file or folder.

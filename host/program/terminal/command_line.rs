@@ -1,6 +1,6 @@
 //! Command line of the program: its parser, whose refusals and helps are reports of a command, and the exit code.
 
-use super::stdout::{Report, print};
+use super::report::{Report, print};
 use clap::error::ErrorKind;
 use clap::{Arg, ArgMatches, Command};
 use std::io::{self, Write};

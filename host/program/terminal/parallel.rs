@@ -4,7 +4,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::io::{self, Write};
 use toytop_host::Failure;
-use toytop_host::parallel::thread_pool;
+use toytop_host::threads::thread_pool;
 
 /// Greatest number of rows for which one thread suffices.
 const FEW_ROWS: u64 = 1024;

@@ -3,39 +3,41 @@
 use comfy_table::{CellAlignment, Row, presets::NOTHING};
 use serde::Serialize;
 use serde_json::Value;
-use std::iter::once;
 use toytop_host::output::{fields, significant, text};
 
-/// Column: heading, and text of a row.
-pub type Column<T> = (&'static str, fn(&T) -> String);
-
-/// Lines of texts.
+/// Rows of texts below a header.
 pub struct TextTable {
-    /// Lines, of which the first may be a header.
+    /// Header, if there is one, and rows.
     pub lines: Vec<Vec<String>>,
     /// Number of columns that are aligned to the left.
-    pub left: usize,
+    left: usize,
 }
 
 impl TextTable {
-    /// Columns of rows below their headings; the first `left` columns are aligned to the left.
-    pub fn new<T>(left: usize, columns: &[Column<T>], rows: &[T]) -> Self {
-        let header = columns.iter().map(|(heading, _)| (*heading).to_owned()).collect();
-        let line = |row| columns.iter().map(|(_, text)| text(row)).collect();
-        Self { lines: once(header).chain(rows.iter().map(line)).collect(), left }
+    /// Rows below a header, or without one if it is empty; the first `left` columns are aligned to the left.
+    pub fn new<H: Into<String>, C: Into<String>>(
+        left: usize,
+        header: impl IntoIterator<Item = H>,
+        rows: impl IntoIterator<Item: IntoIterator<Item = C>>,
+    ) -> Self {
+        let header: Vec<_> = header.into_iter().map(H::into).collect();
+        let rows = rows.into_iter().map(|row| row.into_iter().map(C::into).collect());
+        Self {
+            lines: Some(header).filter(|header| !header.is_empty()).into_iter().chain(rows).collect(),
+            left,
+        }
     }
 
     /// One column a field, below its name. Numbers have `digits` significant digits; `-` is an absent value. The first columns of words are
     /// aligned to the left.
-    pub fn from_rows(rows: &[impl Serialize], digits: usize) -> Self {
+    pub fn of_fields(rows: &[impl Serialize], digits: usize) -> Self {
         let rows: Vec<_> = rows.iter().map(fields).collect();
-        let header = rows.iter().take(1).flatten().map(|(name, _)| name.clone()).collect();
+        let header = rows.iter().take(1).flatten().map(|(name, _)| name);
         let is_word = |column: &usize| rows.iter().all(|row| row[*column].1.is_string());
         let left = (0..rows.first().map_or(0, Vec::len)).take_while(is_word).count();
         let number = |x| significant(x, digits);
         let cell = |(_, value): &(String, Value)| text(value, number).unwrap_or_else(|| "-".to_owned());
-        let lines = rows.iter().map(|row| row.iter().map(cell).collect());
-        Self { lines: once(header).chain(lines).collect(), left }
+        Self::new(left, header, rows.iter().map(|row| row.iter().map(cell)))
     }
 
     /// Aligned columns without rules.
@@ -88,8 +90,7 @@ mod tests {
     #[test]
     fn columns_of_numbers_are_aligned_to_the_right() {
         let rows = [["what", "cycles", "error"], ["a tick", "12345", "1e-9"], ["999", "-", "none"]];
-        let lines = rows.map(|row| row.map(str::to_owned).to_vec()).into();
-        let text = TextTable { lines, left: 0 }.markdown();
+        let text = TextTable::new(0, [""; 0], rows).markdown();
         assert_eq!(
             text,
             "| what | cycles | error |\n|---|--:|---|\n| a tick | 12 345 | 1e-9 |\n| 999 | - | none |\n"

@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread::Builder;
 use std::time::Duration;
-use toytop_host::parallel::{STACK, thread_pool};
+use toytop_host::threads::{STACK, thread_pool};
 
 /// Time between two checks for signals.
 const INTERVAL: Duration = Duration::from_millis(50);

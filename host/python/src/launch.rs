@@ -6,7 +6,7 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop::{InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State};
 use toytop_host::input::scenario::{Launch, fastest_rate};
-use toytop_host::motion::TimedMotion;
+use toytop_model::timed_motion::TimedMotion;
 
 #[pymethods]
 impl TopCore {

@@ -7,18 +7,19 @@ mod reference_and_closed_form;
 pub(crate) use reference_and_closed_form::ClosedFormCore;
 
 use crate::arguments::{NumericArg, failed, renamed, require_within, value_error};
-use crate::samples::{Sampler, SharedEphemeris, Source};
+use crate::samples::{Sampler, SharedEvaluator, Source};
 use crate::top::TopCore;
 use pyo3::prelude::*;
 use std::sync::{Arc, OnceLock};
 use toytop::{Motion, State};
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
-use toytop_host::motion::ephemeris::MotionEphemeris;
-use toytop_host::motion::{Scalar, TimedMotion};
+use toytop_host::motion::Scalar;
+use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
 use toytop_host::reference::quadrature::Quadrature;
 use toytop_model::constants::{number_constants, regime, tip_class};
+use toytop_model::timed_motion::TimedMotion;
 
 /// Rust side of `toytop.Motion`.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -28,7 +29,7 @@ pub(crate) struct MotionCore {
     pub(crate) launch: Launch,
     /// Motion with its period.
     pub(crate) motion: TimedMotion,
-    tables: [OnceLock<Result<SharedEphemeris, String>>; Scalar::ALL.len()],
+    tables: [OnceLock<Result<SharedEvaluator, String>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
     pub(crate) reference: OnceLock<Quadrature>,
 }
@@ -60,10 +61,10 @@ impl MotionCore {
     ///
     /// # Errors
     /// `ValueError`: no table in this scalar is large enough.
-    pub(crate) fn table(&self, scalar: Scalar) -> PyResult<SharedEphemeris> {
+    pub(crate) fn table(&self, scalar: Scalar) -> PyResult<SharedEvaluator> {
         let set_up = || {
-            let ephemeris = MotionEphemeris::new(&self.motion, scalar);
-            ephemeris.map(Arc::new).map_err(|failure| failure.to_string())
+            let evaluator = MotionEvaluator::new(&self.motion, scalar);
+            evaluator.map(Arc::new).map_err(|failure| failure.to_string())
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
         table.map_err(|reason| value_error("scalar", reason))
@@ -73,7 +74,7 @@ impl MotionCore {
     ///
     /// # Errors
     /// `ValueError`: as [`Self::table`], or one of the times is beyond the ticks.
-    pub(crate) fn table_for(&self, scalar: Scalar, times: &[f64]) -> PyResult<SharedEphemeris> {
+    pub(crate) fn table_for(&self, scalar: Scalar, times: &[f64]) -> PyResult<SharedEvaluator> {
         let table = self.table(scalar)?;
         require_within(table.furthest_time(), times)?;
         Ok(table)

@@ -9,10 +9,10 @@ use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use std::sync::Arc;
 use toytop::Orientation;
-use toytop_host::motion::TimedMotion;
 use toytop_host::motion::tip_angle::TipAngle;
-use toytop_host::motion::{column::SampleColumn, ephemeris::MotionEphemeris, sample::MotionSample};
+use toytop_host::motion::{column::SampleColumn, evaluator::MotionEvaluator, sample::MotionSample};
 use toytop_model::equations::Rates;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Quantities of samples that an array can hold.
 const COLUMNS: [SampleColumn; 11] = [
@@ -29,13 +29,13 @@ const COLUMNS: [SampleColumn; 11] = [
     SampleColumn::Angles,
 ];
 
-/// Ephemeris of one scalar.
-pub(crate) type SharedEphemeris = Arc<MotionEphemeris>;
+/// Evaluator in one scalar.
+pub(crate) type SharedEvaluator = Arc<MotionEvaluator>;
 
 /// Source of samples.
 pub(crate) enum Source {
     /// A table for each motion, which are evaluated on demand.
-    Tables(Vec<SharedEphemeris>),
+    Tables(Vec<SharedEvaluator>),
     /// One point for each time.
     Points(Vec<MotionSample>),
 }

@@ -1,8 +1,8 @@
 //! Samples by column, and their CSV. A row has a time and the readings of the sensors; an empty field is no reading.
 
-use super::sensors::Sensors;
-use crate::input::text_file;
-use crate::input::{csv_rows, finite};
+use super::sensors::{SensorKind, Sensors};
+use crate::input::csv_rows::{self, CsvRows};
+use crate::input::{finite, text_file};
 use crate::output::csv_line;
 use crate::{Failure, excerpt};
 use std::iter::once;
@@ -105,19 +105,12 @@ pub fn read(
 
 /// Spellings of the unit of a column.
 fn unit_of(column: &str) -> &'static [&'static str] {
-    match column {
-        "t" => &["s"],
-        "gyro_x" | "gyro_y" | "gyro_z" => &["rad/s"],
-        "accel_x" | "accel_y" | "accel_z" => &["m/s^2", "m/s²", "m/s2"],
-        "mag_x" | "mag_y" | "mag_z" => &["uT", "µT"],
-        "tip_x" | "tip_y" => &["m"],
-        "mark" => &["rad"],
-        _ => &[],
-    }
+    let sensor = SensorKind::ALL.into_iter().find(|kind| kind.columns().contains(&column));
+    if column == "t" { &["s"] } else { sensor.map_or(&[], SensorKind::unit) }
 }
 
 fn parse(text: &str, sensors: &mut Sensors, all: bool) -> Result<(Vec<Measurement>, Vec<String>), String> {
-    let (line, header, rows) = csv_rows::parse(text, unit_of)?;
+    let CsvRows { line, header, rows } = csv_rows::parse(text, unit_of)?;
     let in_header = |reason: String| format!("line {line}: {reason}");
     let index_of = |name: &str| header.iter().position(|column| column == name);
     let time = index_of("t").ok_or_else(|| in_header("must have a column t".to_owned()))?;

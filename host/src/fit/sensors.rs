@@ -11,6 +11,9 @@ use toytop_fit::{
     TipCamera,
 };
 
+/// List of words.
+type Words = &'static [&'static str];
+
 /// Kind of a sensor, in the order of the columns.
 #[derive(Clone, Copy, PartialEq)]
 pub enum SensorKind {
@@ -42,28 +45,31 @@ impl SensorKind {
         Self::Mark,
     ];
 
-    /// Name of its table in a file, columns of the samples, and keys of the table.
-    fn description(self) -> (&'static str, &'static [&'static str], &'static [&'static str]) {
+    /// Name of its table in a file, columns of the samples, spellings of their unit, and keys of the table.
+    fn description(self) -> (&'static str, Words, Words, Words) {
         match self {
             Self::Gyroscope => (
                 "gyroscope",
                 &["gyro_x", "gyro_y", "gyro_z"],
+                &["rad/s"],
                 &["noise", "bias", "range", "rotation", "quantum", "every"],
             ),
             Self::Accelerometer => (
                 "accelerometer",
                 &["accel_x", "accel_y", "accel_z"],
+                &["m/s^2", "m/s²", "m/s2"],
                 &["noise", "bias", "range", "rotation", "position", "quantum", "every"],
             ),
             Self::Magnetometer => (
                 "magnetometer",
                 &["mag_x", "mag_y", "mag_z"],
+                &["uT", "µT"],
                 &["noise", "bias", "field", "rotation", "quantum", "every"],
             ),
-            Self::Orientation => ("orientation", &["w", "x", "y", "z"], &["noise", "quantum", "every"]),
-            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], &["noise", "quantum", "every"]),
-            Self::Tip => ("tip", &["tip_x", "tip_y"], &["noise", "quantum", "every"]),
-            Self::Mark => ("mark", &["mark"], &["noise", "position"]),
+            Self::Orientation => ("orientation", &["w", "x", "y", "z"], &[], &["noise", "quantum", "every"]),
+            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], &[], &["noise", "quantum", "every"]),
+            Self::Tip => ("tip", &["tip_x", "tip_y"], &["m"], &["noise", "quantum", "every"]),
+            Self::Mark => ("mark", &["mark"], &["rad"], &["noise", "position"]),
         }
     }
 
@@ -75,6 +81,11 @@ impl SensorKind {
     /// Columns of the samples.
     pub fn columns(self) -> &'static [&'static str] {
         self.description().1
+    }
+
+    /// Spellings of the unit of its columns; none where they have no unit.
+    pub fn unit(self) -> &'static [&'static str] {
+        self.description().2
     }
 
     /// Names of the residuals: the columns, and for an orientation x, y, z of the rotation vector.
@@ -240,7 +251,7 @@ static POSITION: Key = Key::required("position", "an array of 3 finite numbers")
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
 fn setup(section: &Section<'_>, kind: SensorKind, com: [f64; 3]) -> Result<SensorSetup, Failure> {
-    section.only(None, kind.description().2.iter().copied())?;
+    section.only(None, kind.description().3.iter().copied())?;
     let [deviation, bias_deviation, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias_deviation };
     if every.fract() != 0.0 {

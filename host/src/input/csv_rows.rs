@@ -11,24 +11,31 @@ type NumberedRow = Result<(u64, StringRecord), String>;
 /// Spellings of the unit of a column; none for a column that is not read.
 pub type UnitOf = fn(&str) -> &'static [&'static str];
 
-/// Line of the header of a CSV text, names of its columns without their units, and its rows, each with its line. A # begins a comment.
+/// Columns and rows of a CSV text.
+pub struct CsvRows<I> {
+    /// Line of the header.
+    pub line: u64,
+    /// Names of the columns, without their units.
+    pub header: Vec<String>,
+    /// Rows.
+    pub rows: I,
+}
+
+/// Columns and rows of a CSV text. A # begins a comment.
 ///
 /// # Errors
 /// Column that is in another unit than `unit_of` allows. Line of a row with another number of fields than the header.
-pub fn parse(
-    text: &str,
-    unit_of: UnitOf,
-) -> Result<(u64, Vec<String>, impl Iterator<Item = NumberedRow>), String> {
+pub fn parse(text: &str, unit_of: UnitOf) -> Result<CsvRows<impl Iterator<Item = NumberedRow>>, String> {
     let text = text.trim_start_matches('\u{feff}');
     let mut builder = csv::ReaderBuilder::new();
     let mut reader = builder.comment(Some(b'#')).trim(csv::Trim::All).from_reader(text.as_bytes());
     let header = reader.headers().map_err(|error| reason(text, &error))?;
     let line = line_of(text, header.position());
-    let names = header.iter().map(|field| without_unit(field, unit_of)).collect::<Result<_, _>>();
-    let names = names.map_err(|reason| format!("line {line}: {reason}"))?;
+    let header = header.iter().map(|field| without_unit(field, unit_of)).collect::<Result<_, _>>();
+    let header = header.map_err(|reason| format!("line {line}: {reason}"))?;
     let row = move |row: StringRecord| (line_of(text, row.position()), row);
     let rows = reader.into_records().map(move |found| found.map(row).map_err(|error| reason(text, &error)));
-    Ok((line, names, rows))
+    Ok(CsvRows { line, header, rows })
 }
 
 /// Line of a row. The reader's position is before its comments and empty lines.
@@ -68,7 +75,7 @@ mod tests {
     #[test]
     fn only_units_of_known_columns_matter() {
         let unit_of: UnitOf = |name| if name == "t" { &["s", "sec"] } else { &[] };
-        let names = parse("t (sec),tip_z [mm],t_wall [ms],w [1]\n", unit_of).unwrap().1;
+        let names = parse("t (sec),tip_z [mm],t_wall [ms],w [1]\n", unit_of).unwrap().header;
         assert_eq!(names, ["t", "tip_z", "t_wall", "w"]);
         assert_eq!(parse("w,t [ms]", unit_of).err().unwrap(), "line 1: t: must be in s, not ms");
     }
@@ -77,7 +84,7 @@ mod tests {
     fn lines_count_comments_and_empty_lines() {
         for end in ["\n", "\r\n"] {
             let text = ["# one", "", "t,x", "# four", "1,2", "", "# seven", "3,4", "5"].join(end);
-            let (header, _, rows) = parse(&text, |_| &[]).unwrap();
+            let CsvRows { line: header, rows, .. } = parse(&text, |_| &[]).unwrap();
             let lines: Vec<_> = rows.map(|row| row.map(|(line, _)| line)).collect();
             let refused = Err("line 9: must have 2 fields, as the header; has 1".to_owned());
             assert_eq!((header, lines), (3, vec![Ok(5), Ok(8), refused]));

@@ -22,6 +22,7 @@ use toytop::{InitialAngles, Top, TopParameters};
 use toytop_model::launch::KINDS;
 use toytop_model::parameters::SUPPORTS;
 use toytop_model::timed_motion::TimedMotion;
+use toytop_model::unit::Unit;
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]
@@ -33,11 +34,11 @@ pub enum Units {
 }
 
 impl Units {
-    /// Name of a unit; empty where units have no names.
-    pub fn name(self, si: &'static str) -> &'static str {
-        match self {
-            Self::Si => si,
-            Self::Unnamed => "",
+    /// Name of a unit; empty where it has none.
+    pub fn name(self, unit: Unit) -> &'static str {
+        match (self, unit) {
+            (Self::Unnamed, Unit::Si(_)) => "",
+            _ => unit.name(),
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::euler_angles;
 use super::sample::MotionSample;
 use toytop::{Complex, Pose, Support};
+use toytop_model::unit::Unit::{self, Any, Si};
 
 /// Quantity of a sample, one number or several.
 #[derive(Clone, Copy, PartialEq)]
@@ -59,28 +60,28 @@ impl SampleColumn {
     ];
 }
 
-/// Key of JSON, names of the numbers as columns of CSV, and their unit in SI.
-type Description = (&'static str, &'static [&'static str], &'static str);
+/// Key of JSON, names of the numbers as columns of CSV, and their unit.
+type Description = (&'static str, &'static [&'static str], Unit);
 
 impl SampleColumn {
     fn description(self) -> Description {
         match self {
-            Self::T => ("t", &["t"], "s"),
-            Self::U => ("u", &["u"], ""),
-            Self::Udot => ("udot", &["udot"], "1/s"),
-            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], ""),
-            Self::Beta => ("beta", &["beta_re", "beta_im"], ""),
-            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], ""),
-            Self::Delta => ("delta", &["delta_re", "delta_im"], ""),
-            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], "rad/s"),
-            Self::Tip => ("tip", &["tip_x", "tip_y"], "m"),
-            Self::TipAngle => ("phi", &["phi"], "rad"),
-            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], ""),
-            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], ""),
-            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], "rad/s"),
-            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], "rad"),
-            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], "rad"),
-            Self::ErrorBound => ("error_bound", &["error_bound"], "rad"),
+            Self::T => ("t", &["t"], Si("s")),
+            Self::U => ("u", &["u"], Any("")),
+            Self::Udot => ("udot", &["udot"], Si("1/s")),
+            Self::Alpha => ("alpha", &["alpha_re", "alpha_im"], Any("")),
+            Self::Beta => ("beta", &["beta_re", "beta_im"], Any("")),
+            Self::Gamma => ("gamma", &["gamma_re", "gamma_im"], Any("")),
+            Self::Delta => ("delta", &["delta_re", "delta_im"], Any("")),
+            Self::Omega => ("omega", &["omega_x", "omega_y", "omega_z"], Si("rad/s")),
+            Self::Tip => ("tip", &["tip_x", "tip_y"], Si("m")),
+            Self::TipAngle => ("phi", &["phi"], Any("rad")),
+            Self::Quaternion => ("quaternion", &["w", "x", "y", "z"], Any("")),
+            Self::Axis => ("axis", &["axis_x", "axis_y", "axis_z"], Any("")),
+            Self::OmegaBody => ("omega_body", &["wx", "wy", "wz"], Si("rad/s")),
+            Self::Angles => ("angles", &["tilt", "azimuth", "roll"], Any("rad")),
+            Self::EulerZxz => ("euler_zxz", &["euler_phi", "euler_theta", "euler_psi"], Any("rad")),
+            Self::ErrorBound => ("error_bound", &["error_bound"], Any("rad")),
         }
     }
 
@@ -123,11 +124,11 @@ impl SampleColumn {
         self.description().1
     }
 
-    /// Unit of its numbers in SI; empty where there is none.
-    pub fn si_unit(self, support: Support) -> &'static str {
-        match self.description() {
-            (_, _, "m") if support != Support::Sliding => "",
-            (_, _, unit) => unit,
+    /// Unit of its numbers.
+    pub fn unit(self, support: Support) -> Unit {
+        match self {
+            Self::Tip if support != Support::Sliding => Any(""),
+            _ => self.description().2,
         }
     }
 

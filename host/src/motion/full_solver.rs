@@ -13,7 +13,7 @@ mod compensation;
 
 use crate::Failure;
 use crate::input::scenario::{Launch, Scenario};
-use crate::motion::stepper::step_to_each;
+use crate::motion::times::step_to_each;
 use compensation::{normalise_orientation, two_sum};
 use differential_equations::methods::ExplicitRungeKutta;
 use differential_equations::ode::{ODE, OrdinaryNumericalMethod};

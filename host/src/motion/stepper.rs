@@ -2,31 +2,10 @@
 
 use crate::Failure;
 use crate::motion::sample::MotionSample;
+use crate::motion::times::step_to_each;
 use std::convert::Infallible;
 use toytop::scalar::Real;
 use toytop::{Motion, Phase, Stepper};
-
-/// Results of `step_to` at each time, in the order of `times`. A method steps from `start` at t = 0 forward, and then from `start` backward.
-///
-/// # Errors
-/// The first error that `step_to` returns.
-pub fn step_to_each<S, T, E>(
-    times: &[f64],
-    start: impl Fn() -> S,
-    mut step_to: impl FnMut(&mut S, f64) -> Result<T, E>,
-) -> Result<Vec<T>, E> {
-    let mut by_distance: Vec<(usize, f64)> = times.iter().copied().enumerate().collect();
-    by_distance.sort_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
-    let mut results = Vec::with_capacity(times.len());
-    for backwards in [false, true] {
-        let mut state = start();
-        for (index, t) in by_distance.iter().filter(|(_, t)| (*t < 0.0) == backwards) {
-            results.push((*index, step_to(&mut state, *t)?));
-        }
-    }
-    results.sort_by_key(|(index, _)| *index);
-    Ok(results.into_iter().map(|(_, result)| result).collect())
-}
 
 /// Greatest number of steps that is computed.
 const MAX_STEPS: f64 = 1e10;
@@ -116,8 +95,8 @@ impl<R: Real> TimedStepper<R> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::TimedMotion;
     use toytop::{InitialAngles, Signs, Top, TopParameters};
+    use toytop_model::timed_motion::TimedMotion;
 
     fn motion() -> Motion {
         let top = Top::sliding(&TopParameters {
@@ -143,22 +122,6 @@ mod tests {
             (stepper.elapsed - t).abs() / step
         };
         (1..1_000_000).map(gap).fold(0.0, f64::max)
-    }
-
-    #[test]
-    fn times_are_reached_in_steps_from_0_and_returned_in_the_order_of_the_request() {
-        let mut visited = Vec::new();
-        let results = step_to_each(
-            &[2.0, -1.0, 0.5, -3.0, 2.0],
-            || 0.0,
-            |at: &mut f64, t| {
-                visited.push((*at, t));
-                *at = t;
-                Ok::<_, Infallible>(10.0 * t)
-            },
-        );
-        assert_eq!(results.unwrap(), [20.0, -10.0, 5.0, -30.0, 20.0]);
-        assert_eq!(visited, [(0.0, 0.5), (0.5, 2.0), (2.0, 2.0), (0.0, -1.0), (-1.0, -3.0)]);
     }
 
     #[test]

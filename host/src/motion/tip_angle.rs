@@ -1,28 +1,29 @@
-//! Tip angle for methods without one: arg(αβ), with whole turns from the ephemeris.
+//! Tip angle for methods without one: arg(αβ), with whole turns from the table.
 
-use crate::motion::ephemeris::MotionEphemeris;
+use crate::motion::Scalar;
+use crate::motion::evaluator::MotionEvaluator;
 use crate::motion::sample::MotionSample;
-use crate::motion::{Scalar, TimedMotion};
 use std::f64::consts::PI;
 use toytop::{Complex, Orientation, Pose, TipClass};
 use toytop_model::equations::Rates;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Least |αβ| whose argument is known: an error of 1e-14 in α and β changes it by 1e-5 rad.
 const MIN_PRODUCT: f64 = 1e-9;
 
 /// Tip angle of a motion at any time, to a few roundings of `f64`.
 pub struct TipAngle {
-    /// Ephemeris of the motion; `None` where the axis is vertical at all times, or no table is large enough.
-    ephemeris: Option<MotionEphemeris>,
+    /// Evaluator of the motion; `None` where the axis is vertical at all times, or no table is large enough.
+    evaluator: Option<MotionEvaluator>,
     motion: TimedMotion,
 }
 
 impl TipAngle {
-    /// Tip angle of a motion. Samples have none where there is no ephemeris.
+    /// Tip angle of a motion. Samples have none where there is no evaluator.
     pub fn new(motion: &TimedMotion) -> Self {
-        let ephemeris =
-            MotionEphemeris::new(motion, Scalar::F64).ok().filter(|_| !motion.regime().is_vertical());
-        Self { ephemeris, motion: *motion }
+        let evaluator =
+            MotionEvaluator::new(motion, Scalar::F64).ok().filter(|_| !motion.regime().is_vertical());
+        Self { evaluator, motion: *motion }
     }
 
     /// Sample at a time, from the orientation and the rates there.
@@ -33,9 +34,9 @@ impl TipAngle {
         MotionSample { t, pose, rates, tip_angle, error_bound: None }
     }
 
-    /// Argument of αβ, rad, in the turn of the ephemeris' tip angle at t. Where |αβ| is too small, it is the ephemeris' angle itself.
+    /// Argument of αβ, rad, in the turn of the evaluator's tip angle at t. Where |αβ| is too small, it is the evaluator's angle itself.
     fn continued(&self, t: f64, product: Complex<f64>) -> Option<f64> {
-        let guide = self.ephemeris.as_ref()?.at(t).tip_angle?;
+        let guide = self.evaluator.as_ref()?.at(t).tip_angle?;
         if product.modulus() < MIN_PRODUCT {
             return Some(guide);
         }

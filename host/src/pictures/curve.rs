@@ -1,9 +1,9 @@
 //! Curve of the tip, and the limits between which the axis and the tip stay.
 
 use crate::Failure;
-use crate::motion::TimedMotion;
 use crate::pictures::{MAX_CYCLES, MotionSpan};
 use toytop::{Motion, Support};
+use toytop_model::timed_motion::TimedMotion;
 
 /// Limit of the tilt.
 pub struct TiltLimit {
@@ -54,14 +54,14 @@ impl TipCurve {
     /// Curve over about one turn of the tip around the centre.
     ///
     /// # Errors
-    /// [`Failure::Method`]: no ephemeris is large enough.
+    /// [`Failure::Method`]: no table is large enough.
     pub fn new(motion: &TimedMotion) -> Result<Self, Failure> {
         Ok(Self::over(&MotionSpan::new(motion, None, MAX_CYCLES)?))
     }
 
     /// Curve over a span of time.
     pub fn over(span: &MotionSpan) -> Self {
-        let motion = &span.ephemeris.motion;
+        let motion = &span.evaluator.motion;
         let mut limits = TiltLimit::all(motion);
         // between e₁ and e₂ the axis is horizontal, which is the largest circle
         if let [low, high] = &limits[..]

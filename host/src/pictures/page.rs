@@ -31,9 +31,7 @@ pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
     }
     let scenario = start.scenario()?;
     if !PageTable::fits(&scenario.motion) {
-        return Err(Failure::Method(
-            "no ephemeris: the table of the page is too small for this motion".to_owned(),
-        ));
+        return Err(Failure::Method("no table: that of the page is too small for this motion".to_owned()));
     }
     let data = json!({
         "name": scenario.name,

@@ -11,8 +11,8 @@
 //! offset + slope. The distance that remains is no phase error: the trajectory is on another torus, with other values of l, n and h.
 
 use super::trajectory::TrajectoryRow;
-use crate::motion::ephemeris::MotionEphemeris;
 use crate::motion::errors::rotation_between;
+use crate::motion::evaluator::MotionEvaluator;
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 use serde::Serialize;
 use std::f64::consts::PI;
@@ -37,8 +37,8 @@ const MIN_ROWS: usize = 8;
 /// Phase errors in the middle of the last nutation period, or of the last eight rows if these take longer; none for an aperiodic motion.
 ///
 /// The fit goes through all periods, so that it recognises errors of more than half a turn.
-pub fn phase_errors(ephemeris: &MotionEphemeris, rows: &[TrajectoryRow]) -> PhaseErrors {
-    let motion = &ephemeris.motion;
+pub fn phase_errors(evaluator: &MotionEvaluator, rows: &[TrajectoryRow]) -> PhaseErrors {
+    let motion = &evaluator.motion;
     let exist = match motion.regime() {
         Regime::Nutating => [true; 3],
         Regime::Aperiodic => return PhaseErrors::default(),
@@ -49,7 +49,7 @@ pub fn phase_errors(ephemeris: &MotionEphemeris, rows: &[TrajectoryRow]) -> Phas
     let rates = motion.period_advance().map_or([0.0; 3], |advance| {
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });
-    let fit = PhaseFit { ephemeris, period, rates, exist };
+    let fit = PhaseFit { evaluator, period, rates, exist };
     let (mut angles, mut residual) = (Vector6::zeros(), None);
     for window in fit.windows(rows) {
         // from the middle of one window to the middle of the next
@@ -67,7 +67,7 @@ pub fn phase_errors(ephemeris: &MotionEphemeris, rows: &[TrajectoryRow]) -> Phas
 
 /// Fit of phase errors to rows.
 struct PhaseFit<'a> {
-    ephemeris: &'a MotionEphemeris,
+    evaluator: &'a MotionEvaluator,
     /// Time that a fit covers, s.
     period: f64,
     /// Mean rates of arg α, arg β and the nutation phase, rad/s.
@@ -134,7 +134,7 @@ impl PhaseFit<'_> {
         // t + τ is rounded; the rest of Δθ is taken into account to first order
         let t = if angles[0] == 0.0 { row.t } else { row.t + angles[0] / theta_rate };
         let shift = t - row.t;
-        let exact = self.ephemeris.at(t);
+        let exact = self.evaluator.at(t);
         let turned = |z: Complex<f64>, angle: f64| z * Complex::new(angle.cos(), angle.sin());
         let azimuth = angles[1] - (a_rate + b_rate) * shift;
         let roll = angles[2] - (a_rate - b_rate) * shift;

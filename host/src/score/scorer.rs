@@ -4,17 +4,18 @@ use super::phases::{self, PhaseErrors};
 use super::trajectory::{Trajectory, TrajectoryRow};
 use crate::Failure;
 use crate::input::require_within;
-use crate::motion::ephemeris::MotionEphemeris;
+use crate::motion::Scalar;
 use crate::motion::errors::{distance, drift, greater_or_infinite};
-use crate::motion::{Scalar, TimedMotion};
+use crate::motion::evaluator::MotionEvaluator;
 use serde::Serialize;
 use std::array::from_fn;
 use std::f64::consts::PI;
 use toytop::Orientation;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Exact motion that trajectories are compared with.
 pub struct Scorer {
-    ephemeris: MotionEphemeris,
+    evaluator: MotionEvaluator,
     /// Command that prints the state from which a run has to start.
     start: String,
 }
@@ -55,22 +56,22 @@ pub struct Score {
 const SUSPECT_DISTANCE: f64 = 0.01;
 
 impl Scorer {
-    /// Exact motion, by its ephemeris in `f64`; `start` is the command that prints the state from which a run has to start.
+    /// Exact motion, by its table in `f64`; `start` is the command that prints the state from which a run has to start.
     ///
     /// # Errors
-    /// [`Failure::Method`]: no ephemeris is large enough.
+    /// [`Failure::Method`]: no table is large enough.
     pub fn new(motion: &TimedMotion, start: &str) -> Result<Self, Failure> {
-        let ephemeris = MotionEphemeris::new(motion, Scalar::F64)?;
-        Ok(Self { ephemeris, start: start.to_owned() })
+        let evaluator = MotionEvaluator::new(motion, Scalar::F64)?;
+        Ok(Self { evaluator, start: start.to_owned() })
     }
 
     /// Errors of a trajectory.
     ///
     /// # Errors
-    /// [`Failure::Input`]: a time at which the ephemeris cannot be evaluated.
+    /// [`Failure::Input`]: a time at which the motion cannot be evaluated.
     pub fn score(&self, Trajectory { name, rows, .. }: &Trajectory) -> Result<Score, Failure> {
         let furthest = greatest(rows.iter().map(|row| row.t.abs()));
-        require_within([furthest], self.ephemeris.furthest_time(), " s")
+        require_within([furthest], self.evaluator.furthest_time(), " s")
             .map_err(|failure| failure.with_context(&format!("{name}: t")))?;
         let errors: Vec<_> = rows.iter().map(|row| self.errors(row)).collect();
         let mean_square = errors.iter().map(|[error, _]| error * error).sum::<f64>() / rows.len() as f64;
@@ -81,45 +82,45 @@ impl Scorer {
             final_error_rad: errors.last().map_or(0.0, |[error, _]| *error),
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
             max_tip_error: rows.iter().filter_map(|row| self.tip_error(row)).reduce(greater_or_infinite),
-            phases: phases::phase_errors(&self.ephemeris, rows),
+            phases: phases::phase_errors(&self.evaluator, rows),
             drift_h,
             drift_l,
             drift_n,
             max_norm_error: greatest(rows.iter().map(|row| row.norm_error)),
-            truth_bound_rad: self.ephemeris.error_bound.after(furthest * self.ephemeris.ticks_per_time),
+            truth_bound_rad: self.evaluator.error_bound.after(furthest * self.evaluator.ticks_per_time),
             warning: rows.first().and_then(|row| self.warning(row)),
         })
     }
 
     /// Errors of the orientation of a row, rad, and of its u.
     fn errors(&self, row: &TrajectoryRow) -> [f64; 2] {
-        let exact = self.ephemeris.pose(row.t).orientation;
+        let exact = self.evaluator.pose(row.t).orientation;
         [orientation_error(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
     fn tip_error(&self, row: &TrajectoryRow) -> Option<f64> {
         let [x, y] = row.tip?;
-        let exact = self.ephemeris.pose(row.t).tip;
+        let exact = self.evaluator.pose(row.t).tip;
         Some((x - exact.re).hypot(y - exact.im))
     }
 
     /// Greatest drifts of l, n and h.
     fn drifts(&self, rows: &[TrajectoryRow]) -> Option<[f64; 3]> {
         rows.iter().try_fold([0.0; 3], |most, row| {
-            let drift = drift(&self.ephemeris.motion, &row.orientation, row.omega?);
+            let drift = drift(&self.evaluator.motion, &row.orientation, row.omega?);
             Some(from_fn(|i| greater_or_infinite(most[i], drift[i])))
         })
     }
 
     /// Reason why the first row is far from the motion; `None` if it is near.
     fn warning(&self, first: &TrajectoryRow) -> Option<String> {
-        let exact = self.ephemeris.at(first.t);
+        let exact = self.evaluator.at(first.t);
         let [error, _] = self.errors(first);
         let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
         let speed =
-            distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / self.ephemeris.motion.characteristic_time());
+            distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / self.evaluator.motion.characteristic_time());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;
-        let tip_error = self.tip_error(first).unwrap_or(0.0) / self.ephemeris.motion.top().tip_scale();
+        let tip_error = self.tip_error(first).unwrap_or(0.0) / self.evaluator.motion.top().tip_scale();
         let far = format!("the first row is {error:.1e} rad from the motion;");
         let reason = if error >= SUSPECT_DISTANCE && inverse < SUSPECT_DISTANCE {
             let transposed = "are the columns from fixed to body coordinates?";

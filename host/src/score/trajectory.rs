@@ -1,8 +1,7 @@
 //! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
-use crate::input::csv_rows;
-use crate::input::finite;
-use crate::input::text_file;
+use crate::input::csv_rows::{self, CsvRows};
+use crate::input::{finite, text_file};
 use crate::{Failure, excerpt};
 use csv::StringRecord;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
@@ -77,7 +76,7 @@ impl Trajectory {
             stated(key).map(number).transpose()
         };
         let (step, evaluations) = (positive("step")?, positive("evaluations")?);
-        let (_, header, records) = csv_rows::parse(text, unit_of)?;
+        let CsvRows { header, rows: records, .. } = csv_rows::parse(text, unit_of)?;
         let has = |names: &[&str]| column_indices(&header, names).is_some();
         if !has(&["t"]) || !(has(&QUATERNION) || has(&ALPHA_BETA) || has(&MATRIX)) {
             let allowed = "t with w,x,y,z (body to fixed), alpha_re,alpha_im,beta_re,beta_im or r11,r12,...,r33 (by rows)";

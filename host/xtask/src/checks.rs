@@ -64,10 +64,11 @@ fn with_target_dir(mut command: Command, folder: PathBuf) -> Command {
     command
 }
 
-/// Checks the scripts of the page by TypeScript's compiler: names, types, arguments, and that nothing is unused.
+/// Checks the scripts of the page and of its tests by TypeScript's compiler: names, types, arguments, and that nothing is unused.
 pub(crate) fn scripts() -> Result<String> {
     let options = "--noEmit --allowJs --checkJs --target es2022 --noUnusedLocals --noUnusedParameters";
-    passes(&mut command("host/page/view", &format!("tsc {options} main.js")))
+    let scripts = "page/view/main.js tests/cli/pictures/view/browser/controls.js";
+    passes(&mut command("host", &format!("tsc {options} {scripts}")))
 }
 
 /// Runs all tests and core's examples, and returns the closing line of every test binary.

@@ -14,10 +14,10 @@ export const isTorqueFree = ({ g }) => g === 0;
 export const isVertical = (regime) => regime.startsWith("sleeping") || regime === "hanging";
 
 /** Angle between the axis and the angular momentum, in degrees. */
-const coneAngle = ({ n, m_x, m_y, m_z }) => degrees(Math.acos(Math.max(-1, Math.min(1, n / Math.hypot(m_x, m_y, m_z)))));
+export const coneAngle = ({ n, m_x, m_y, m_z }) => degrees(Math.acos(Math.max(-1, Math.min(1, n / Math.hypot(m_x, m_y, m_z)))));
 
 /** Angle of the axis from the vertical, from its cosine u, in degrees. */
-const tiltAt = (u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))));
+export const tiltAt = (u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))));
 
 /** Tilts between which the plane would have to pull the tip down; null if there are none. */
 function liftOff({ min_tilt_deg, lift_off_u }) {

@@ -34,7 +34,7 @@ function withMargin(values) {
   return [low - room, high + room];
 }
 
-const CHARTS = {
+export const CHARTS = {
   tilt: { name: "tilt in °", values: ({ points }) => points.map(({ axis }) => tiltOf(axis)) },
   precession: {
     name: "azimuth of the axis in °",

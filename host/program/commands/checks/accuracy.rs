@@ -3,7 +3,7 @@
 use crate::arguments::options::{Scalars, scalars};
 use crate::files::doc_page::DocPage;
 use crate::terminal::parallel::compute_all;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use clap::Args;
 use micromath::F32Ext;
@@ -16,8 +16,8 @@ use toytop_host::input::builtin;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, MotionInput, Scenario};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::MotionEphemeris;
 use toytop_host::motion::errors::Errors;
+use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::output::{self, Format};
 use toytop_host::reference::float640::{from_f64, from_i64};
 use toytop_host::reference::quadrature::Quadrature;
@@ -89,10 +89,9 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     let table_of_totals = |text: fn(f64) -> String| {
         let line = |(scalar, errors): &(&str, Errors)| {
             let errors = [errors.orientation, errors.tip, errors.norm, errors.drift[2]];
-            once((*scalar).to_owned()).chain(errors.map(text)).collect()
+            once((*scalar).to_owned()).chain(errors.map(text))
         };
-        let header = HEADINGS.map(str::to_owned).to_vec();
-        TextTable { lines: once(header).chain(totals.iter().map(line)).collect(), left: 1 }
+        TextTable::new(1, HEADINGS, totals.iter().map(line))
     };
     let micromath = format!(
         "The sine of micromath, an approximation for f32, is off by up to {:.0e}.\n",
@@ -100,7 +99,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     );
     let table = || {
         format!(
-            "{}\nThe ephemeris in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
+            "{}\nThe table in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
              errors over each octave of ticks. {micromath}",
             table_of_totals(output::error_text).aligned(),
@@ -147,8 +146,8 @@ fn input_of(scenario: &Scenario) -> Option<MotionInput> {
 /// Errors of each scalar on a motion, by octave.
 fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motion = input.motion().map_err(|error| Failure::Input(format!("{input:?}: {error}")))?;
-    let ephemerides =
-        scalars.iter().map(|&scalar| MotionEphemeris::new(&motion, scalar)).collect::<Result<Vec<_>, _>>()?;
+    let evaluators =
+        scalars.iter().map(|&scalar| MotionEvaluator::new(&motion, scalar)).collect::<Result<Vec<_>, _>>()?;
     let truth = Quadrature::new(input);
     let rate = motion.ticks_per_time();
     let mut random = Random::new(1, 0);
@@ -159,8 +158,8 @@ fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<E
             let more = if octave < OCTAVES { random.uniform() * first as f64 } else { 0.0 };
             let n = (first + more as u64) as i64;
             let exact = truth.at(&(from_i64(n) / from_f64(rate)));
-            for (ephemeris, octaves) in ephemerides.iter().zip(&mut errors) {
-                let sample = ephemeris.at_tick(n);
+            for (table, octaves) in evaluators.iter().zip(&mut errors) {
+                let sample = table.at_tick(n);
                 let (orientation, rounded) = (sample.pose.orientation, exact.to_f64());
                 // in fixed point the tip of a sample is rounded to f32
                 let tip = (orientation.tip_over_s() - rounded.tip_over_s()).modulus();

@@ -15,7 +15,7 @@ mod pages;
 use crate::arguments::values::{POSITIVE, number};
 use crate::files::doc_page::repository;
 use crate::files::whole_file;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use budgets::{Budgets, FLASH_S};
 use clap::Args;
@@ -178,7 +178,7 @@ fn report_on_launches(arguments: &BudgetArgs, root: &Path, chips: Vec<&Chip>) ->
             "{}\nMotion and table of 200 launches: tilt 0 to 180 degrees, spin 0 to 1000 rad/s, A/(ps) 0.01 to 1000, both \
              supports, corners; at most 64 segments. Instructions are exact to 40; cycles are those of bench_launch in \
              proportion (model). A slice is the time between two calls of the set-up's function.\n",
-            TextTable::from_rows(&rows, 8).aligned()
+            TextTable::of_fields(&rows, 8).aligned()
         )
     };
     Ok(output::render(arguments.format, &json!({ "rows": rows }), &rows, table).into())
@@ -208,7 +208,7 @@ fn report_on_calls(arguments: &BudgetArgs, measured: &BTreeMap<String, Costs>) -
         format!(
             "{}\nThe costliest of several calls. Instructions are exact; cycles are a model (published timings, no wait states); \
              stack, flash, RAM in bytes; tick_percent of a tick of 1 kHz.\n",
-            TextTable::from_rows(&records, 3).aligned()
+            TextTable::of_fields(&records, 3).aligned()
         )
     };
     output::render(arguments.format, &json!({ "rows": records }), &records, table).into()

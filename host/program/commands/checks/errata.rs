@@ -1,7 +1,7 @@
 //! `toytop errata`: errors of the printed paper, from `errata.toml`. `tests/reference/errata.py` evaluates each formula as printed
 //! and as corrected, and a test compares the residuals.
 
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use clap::Args;
 use serde::{Deserialize, Serialize};
 use toytop_host::Failure;

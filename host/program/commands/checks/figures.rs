@@ -1,8 +1,9 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
+use crate::arguments::options::not_stdout;
 use crate::commands::pictures::{drawing, plot::tip};
 use crate::files::whole_file;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;
@@ -14,7 +15,7 @@ use toytop_host::pictures::{MAX_CYCLES, MotionSpan};
 #[command(after_help = "Example: toytop figures -o figures")]
 pub struct FiguresArgs {
     /// Folder to write to, which is created if it does not exist
-    #[arg(short, long, value_name = "DIR")]
+    #[arg(short, long, value_name = "DIR", value_parser = not_stdout)]
     output: PathBuf,
 }
 

@@ -4,7 +4,7 @@ mod corners;
 mod fit;
 
 use crate::files::doc_page::DocPage;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use clap::{Args, Subcommand};
 use serde::Serialize;
@@ -92,7 +92,7 @@ impl StudyOptions {
         // a missing place in the page is reported before the computation
         let page = self.accept.then(|| DocPage::read(page, mark)).transpose()?;
         let Summary { headline, rows, failures } = study()?;
-        let mut table = TextTable::from_rows(&rows, 2);
+        let mut table = TextTable::of_fields(&rows, 2);
         for heading in &mut table.lines[0] {
             *heading = heading.replace('_', " ");
         }

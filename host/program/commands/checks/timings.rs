@@ -1,7 +1,7 @@
 //! `toytop timings`: computing times of a state, by the core and by other methods, on this machine with this build.
 
-use crate::terminal::stdout::Report;
-use crate::terminal::table::{Column, TextTable};
+use crate::terminal::report::Report;
+use crate::terminal::table::TextTable;
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
@@ -49,7 +49,7 @@ fn time(what: impl Into<String>, states: u32, mut task: impl FnMut()) -> TimedTa
     TimedTask { what: what.into(), seconds: (0..RUNS).map(run).fold(f64::INFINITY, f64::min) }
 }
 
-/// Computing times on this machine: ephemeris, stepper, full solver
+/// Computing times on this machine: table, stepper, full solver
 #[derive(Args)]
 #[command(alias = "bench", after_help = "Example: toytop timings --format json")]
 pub struct TimingsArgs {
@@ -63,15 +63,14 @@ pub fn run(arguments: &TimingsArgs) -> Result<Report, Failure> {
     let table = || {
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let build = if cfg!(debug_assertions) { "UNOPTIMISED build" } else { "release build" };
-        let columns: [Column<TimedTask>; 3] = [
-            ("", |task| task.what.clone()),
-            ("time of a state", |task| short_seconds(task.seconds)),
-            ("million a second", |task| significant(1e-6 / task.seconds, 3)),
-        ];
+        let line = |task: &TimedTask| {
+            [task.what.clone(), short_seconds(task.seconds), significant(1e-6 / task.seconds, 3)]
+        };
+        let header = ["", "time of a state", "million a second"];
         format!(
             "{}\nThe paper's curve with cusps. Any ticks are independent, so that the processor overlaps them; the next tick waits for\n\
              the one before. Least of {RUNS} runs on one core of {cores}; {build}.\n",
-            TextTable::new(1, &columns, &rows).aligned(),
+            TextTable::new(1, header, rows.iter().map(line)).aligned(),
         )
     };
     Ok(output::render(arguments.format, &json!({ "rows": rows }), &rows, table).into())
@@ -117,36 +116,36 @@ fn rows() -> Vec<TimedTask> {
             }
         },
     );
-    let set_up = time("ephemeris f64: its set-up, once", 1, || {
+    let set_up = time("table f64: its set-up, once", 1, || {
         drop(black_box(TableF64::new(black_box(motion), tick)));
     });
-    let any_time = time("ephemeris f64: any time, with the angular velocity", STATES, || {
+    let any_time = time("table f64: any time, with the angular velocity", STATES, || {
         times(STATES).for_each(|t| {
             let now = double.at(t);
             black_box((now.orientation(), now.omega()));
         });
     });
     let mut rows = vec![full, runge_kutta, set_up, any_time];
-    rows.extend(time_ephemeris("f32", &single));
-    rows.extend(time_ephemeris("f64", &double));
+    rows.extend(time_table("f32", &single));
+    rows.extend(time_table("f64", &double));
     rows.extend([time_stepper::<f32>("f32", motion), time_stepper::<f64>("f64", motion)]);
     rows
 }
 
-/// Rows of an ephemeris.
-fn time_ephemeris<R: TableScalar>(scalar: &str, table: &Table<R>) -> [TimedTask; 3] {
+/// Rows of a table.
+fn time_table<R: TableScalar>(scalar: &str, table: &Table<R>) -> [TimedTask; 3] {
     let mut out = vec![Orientation::<R>::IDENTITY; STATES as usize];
-    let batch = time(format!("ephemeris {scalar}: in a batch"), STATES, || {
+    let batch = time(format!("table {scalar}: in a batch"), STATES, || {
         table.fill_orientations(black_box(FIRST_TICK), &mut out);
         black_box(&mut out);
     });
-    let next = time(format!("ephemeris {scalar}: the next tick"), STATES, || {
+    let next = time(format!("table {scalar}: the next tick"), STATES, || {
         let mut cursor = table.cursor(black_box(FIRST_TICK));
         (0..STATES).for_each(|_| {
             black_box(cursor.next(table).orientation());
         });
     });
-    let any = time(format!("ephemeris {scalar}: any tick"), STATES, || {
+    let any = time(format!("table {scalar}: any tick"), STATES, || {
         (0..i64::from(STATES)).for_each(|n| {
             black_box(table.at_tick(black_box(FIRST_TICK + n)).orientation());
         });

@@ -3,14 +3,14 @@
 use super::problem_files::{self, Problem, ReferenceSample};
 use crate::arguments::times::Times;
 use crate::arguments::values::{Values, counted_values};
-use crate::terminal::stdout::Report;
-use crate::terminal::table::{Column, TextTable};
+use crate::terminal::report::Report;
+use crate::terminal::table::TextTable;
 use clap::Args;
 use serde_json::{Value, json};
 use std::iter::once;
 use toytop_host::Failure;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::MotionEphemeris;
+use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::output::{self, Format};
 
 /// Reference values of the heavy tops that integrators are tested with
@@ -37,7 +37,7 @@ pub struct BenchmarkArgs {
 /// Names of the columns. `toytop score` reads the time, the orientation and the rates by these names.
 const COLUMNS: [&str; 11] = ["t", "x_com", "y_com", "z_com", "w", "x", "y", "z", "wx", "wy", "wz"];
 
-/// Values at one time by [`COLUMNS`]: texts of 30 digits, or numbers of the ephemeris.
+/// Values at one time by [`COLUMNS`]: texts of 30 digits, or numbers of the table.
 fn row<T: Into<Value>>(values: impl Iterator<Item = T>) -> Value {
     COLUMNS.into_iter().zip(values.map(T::into)).collect()
 }
@@ -73,7 +73,7 @@ pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
             about.title,
             about.source,
             about.symmetry_axis,
-            TextTable::from_rows(&lines, 8).aligned()
+            TextTable::of_fields(&lines, 8).aligned()
         )
     };
     Ok(output::render(*format, &document, &rows, table).into())
@@ -95,9 +95,8 @@ fn list_problems(format: Format) -> Result<Report, Failure> {
     };
     let rows: Vec<_> = problems.iter().filter_map(listed).collect();
     let table = || {
-        let columns: [Column<Problem>; 2] =
-            [("", |problem| problem.scenario.name.clone()), ("", |problem| problem.about.title.clone())];
-        TextTable::new(2, &columns, &problems).aligned()
+        let line = |problem: &Problem| [problem.scenario.name.clone(), problem.about.title.clone()];
+        TextTable::new(2, [""; 2], problems.iter().map(line)).aligned()
             + "\ntoytop benchmark NAME prints 30 digits; --scenario its scenario file; toytop score --benchmark NAME judges a run.\n"
     };
     Ok(output::render(format, &json!({ "problems": rows }), &rows, table).into())
@@ -109,15 +108,15 @@ fn reference_row(sample: &ReferenceSample) -> Value {
     row(once(t).chain(position).chain(quaternion).chain(omega_body).map(String::as_str))
 }
 
-/// Values of the ephemeris at any times, with 17 digits.
+/// Values of the table at any times, with 17 digits.
 fn computed_rows(problem: &Problem, times: &Values) -> Result<Vec<Value>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::new("--times".to_owned(), times)?;
-    let ephemeris = MotionEphemeris::new(&scenario.motion, Scalar::F64)
+    let evaluator = MotionEvaluator::new(&scenario.motion, Scalar::F64)
         .map_err(|failure| failure.with_context(&scenario.name))?;
-    times.require_within(ephemeris.furthest_time(), "")?;
+    times.require_within(evaluator.furthest_time(), "")?;
     let computed = |t: &f64| {
-        let sample = ephemeris.at(*t);
+        let sample = evaluator.at(*t);
         let orientation = sample.pose.orientation.compose(&about.body_axes());
         let position = sample.pose.orientation.axis().map(|x| about.length * x);
         let omega_body = orientation.inverse().adjoint(sample.rates.omega);

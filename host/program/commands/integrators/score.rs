@@ -8,11 +8,12 @@ use crate::commands::pictures::drawing::{
     chart::{Chart, Curve},
 };
 use crate::files::whole_file;
-use crate::terminal::stdout::Report;
-use crate::terminal::table::{Column, TextTable};
+use crate::terminal::report::Report;
+use crate::terminal::table::TextTable;
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
+use std::iter::once;
 use std::path::{Path, PathBuf};
 use toytop::Orientation;
 use toytop_host::Failure;
@@ -236,27 +237,37 @@ fn draw(
 
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
 fn tables(files: &[ScoredFile], integrators: &[Integrator]) -> String {
-    let errors: [Column<ScoredFile>; 9] = [
-        ("", |file| file.name.clone()),
-        ("rows", |file| file.rows.to_string()),
-        ("step, s", |file| or_dash(file.step, |step| significant(step, 4))),
-        ("max, rad", |file| error_text(file.score.max_error_rad)),
-        ("rms, rad", |file| error_text(file.score.rms_error_rad)),
-        ("final, rad", |file| error_text(file.score.final_error_rad)),
-        ("u", |file| error_text(file.score.max_u_error)),
-        ("tip", |file| or_dash(file.score.max_tip_error, error_text)),
-        ("order", |file| or_dash(file.order, |order| format!("{order:.2}"))),
-    ];
-    let details: [Column<ScoredFile>; 8] = [
-        ("", |file| file.name.clone()),
-        ("nutation", |file| or_dash(file.score.phases.nutation_error_rad, error_text)),
-        ("precession", |file| or_dash(file.score.phases.precession_error_rad, error_text)),
-        ("spin", |file| or_dash(file.score.phases.spin_error_rad, error_text)),
-        ("residual", |file| or_dash(file.score.phases.residual_rad, error_text)),
-        ("h", |file| or_dash(file.score.drift_h, error_text)),
-        ("l", |file| or_dash(file.score.drift_l, error_text)),
-        ("n", |file| or_dash(file.score.drift_n, error_text)),
-    ];
+    let errors = |file: &ScoredFile| {
+        let ScoredFile { name, rows, step, score, order, .. } = file;
+        [
+            name.clone(),
+            rows.to_string(),
+            or_dash(*step, |step| significant(step, 4)),
+            error_text(score.max_error_rad),
+            error_text(score.rms_error_rad),
+            error_text(score.final_error_rad),
+            error_text(score.max_u_error),
+            or_dash(score.max_tip_error, error_text),
+            or_dash(*order, |order| format!("{order:.2}")),
+        ]
+    };
+    let errors = TextTable::new(
+        1,
+        ["", "rows", "step, s", "max, rad", "rms, rad", "final, rad", "u", "tip", "order"],
+        files.iter().map(errors),
+    );
+    let details = |ScoredFile { name, score, .. }: &ScoredFile| {
+        let phases = &score.phases;
+        let [nutation, precession] = [phases.nutation_error_rad, phases.precession_error_rad];
+        let numbers = [nutation, precession, phases.spin_error_rad, phases.residual_rad];
+        let drifts = [score.drift_h, score.drift_l, score.drift_n];
+        once(name.clone()).chain(numbers.into_iter().chain(drifts).map(|x| or_dash(x, error_text)))
+    };
+    let details = TextTable::new(
+        1,
+        ["", "nutation", "precession", "spin", "residual", "h", "l", "n"],
+        files.iter().map(details),
+    );
     let mut orders = String::new();
     for Integrator { method, order, .. } in integrators {
         let of_method = if method.is_empty() { String::new() } else { format!(" of {method}") };
@@ -268,7 +279,7 @@ fn tables(files: &[ScoredFile], integrators: &[Integrator]) -> String {
          {orders}The exact motion is within {bound:.1e} rad. Errors of the orientation are 2 sqrt(|d alpha|^2 + |d beta|^2) with the nearer\n\
          sign. Residual: what no phase error explains. Order: from the next larger step of the same method. Drifts: of h in units of max(|h|, p g), of l and n in units of\n\
          max(|l|, |n|, sqrt(2 A p g)).\n",
-        TextTable::new(1, &errors, files).aligned(),
-        TextTable::new(1, &details, files).aligned(),
+        errors.aligned(),
+        details.aligned(),
     )
 }

@@ -11,8 +11,8 @@ mod rust;
 
 use crate::arguments::options::hertz;
 use crate::commands::warnings::warnings;
-use crate::files::whole_file;
-use crate::terminal::stdout::{self, Report};
+use crate::files::{file_or_stdout, whole_file};
+use crate::terminal::report::Report;
 use c::header;
 use clap::{Args, ValueEnum};
 use fixed::types::{I2F14, I2F30};
@@ -22,7 +22,7 @@ use toytop::{ErrorBound, Table, TableScalar, TableSettings, Tick};
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{HeapTable, SEGMENTS};
+use toytop_host::motion::evaluator::{HeapTable, SEGMENTS};
 
 /// Table of a motion as a constant for firmware: Rust or C
 ///
@@ -80,7 +80,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
         Scalar::Q31 => baked(arguments, &scenario, tick, &title, 32, Table::<I2F30>::crc32),
         Scalar::Q15 => baked(arguments, &scenario, tick, &title, 16, Table::<I2F14>::crc32),
     }?;
-    stdout::write_or_file(arguments.output.as_deref(), |out| out.write_all(text.as_bytes()))?;
+    file_or_stdout::write(arguments.output.as_deref(), |out| out.write_all(text.as_bytes()))?;
     Ok(Report::default().with_notes(std::iter::once(summary).chain(warnings(&[scenario]))))
 }
 

@@ -4,7 +4,7 @@ mod bounds;
 
 use crate::arguments::options::{Method, Scalars, scalars};
 use crate::commands::warnings::warnings;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use bounds::{Verdict, bound, compared_time, steps_per_period};
 use clap::Args;
@@ -17,14 +17,16 @@ use toytop::scalar::Real;
 use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::ephemeris::MotionEphemeris;
+use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::Errors;
+use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::motion::full_solver;
 use toytop_host::motion::sample::MotionSample;
 use toytop_host::motion::stepper::TimedStepper;
-use toytop_host::motion::{Scalar, TimedMotion, spread_times};
+use toytop_host::motion::times::spread_times;
 use toytop_host::output::{self, Format, or_dash, significant};
 use toytop_model::equations::FullState;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Errors of the core against an integration of the full 3-D equations
 ///
@@ -50,10 +52,10 @@ pub struct CompareArgs {
 const PROPAGATORS: [(Method, Scalar); 6] = [
     (Method::Stepper, Scalar::F64),
     (Method::Stepper, Scalar::F32),
-    (Method::Ephemeris, Scalar::F64),
-    (Method::Ephemeris, Scalar::F32),
-    (Method::Ephemeris, Scalar::Q31),
-    (Method::Ephemeris, Scalar::Q15),
+    (Method::Table, Scalar::F64),
+    (Method::Table, Scalar::F32),
+    (Method::Table, Scalar::Q31),
+    (Method::Table, Scalar::Q15),
 ];
 
 /// Samples in a period.
@@ -124,18 +126,17 @@ fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
             worst.to_owned(),
         ];
         let name = rows.first().map_or("", |row| row.motion).to_owned();
-        once(name).chain(errors).chain(summary).collect()
+        once(name).chain(errors).chain(summary).collect::<Vec<_>>()
     };
     let propagators = motions.iter().take(1).flatten().map(|row| format!("{}{}", prefix(row), row.scalar));
     let header = once("motion".to_owned())
         .chain(propagators)
         .chain(["error / bound", "ns", "verdict"].map(str::to_owned));
-    let lines = once(header.collect()).chain(motions.iter().map(line)).collect();
     format!(
         "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods.\n\
          Columns: greatest error of the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad. error / bound:\n\
          greatest ratio. ns: look-up, median of five parts. Steps a period: {} (f64), {} (f32). More: CSV.\n",
-        TextTable { lines, left: 1 }.aligned(),
+        TextTable::new(1, header, motions.iter().map(line)).aligned(),
         steps_per_period(Scalar::F64),
         steps_per_period(Scalar::F32),
     )
@@ -163,7 +164,7 @@ fn compare<'a>(
             continue;
         }
         let run = match (method, scalar) {
-            (Method::Ephemeris, _) => run_ephemeris(scalar, motion, &times),
+            (Method::Table, _) => run_table(scalar, motion, &times),
             (_, Scalar::F64) => Ok(run_stepper::<f64>(scalar, motion, &times)),
             _ => Ok(run_stepper::<f32>(scalar, motion, &times)),
         };
@@ -233,17 +234,17 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> 
     PropagatorRun { samples, steps: Some(timed.steps), ns: Some(ns), ..PropagatorRun::default() }
 }
 
-/// Run of an ephemeris at the times.
+/// Run of a table or a closed form at the times.
 ///
 /// # Errors
 /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-fn run_ephemeris(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Result<PropagatorRun, Failure> {
-    let ephemeris = MotionEphemeris::new(motion, scalar)?;
-    let (samples, ns) = timed_samples(times, |t| ephemeris.at(t));
-    let ticks = times.last().map_or(0.0, |last| last * ephemeris.ticks_per_time);
-    let table_bound = Some(ephemeris.error_bound.after(ticks));
-    let has_table = ephemeris.segments > 0;
-    let table = has_table.then(|| format!("{}x{}", ephemeris.segments, ephemeris.terms));
+fn run_table(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Result<PropagatorRun, Failure> {
+    let evaluator = MotionEvaluator::new(motion, scalar)?;
+    let (samples, ns) = timed_samples(times, |t| evaluator.at(t));
+    let ticks = times.last().map_or(0.0, |last| last * evaluator.ticks_per_time);
+    let table_bound = Some(evaluator.error_bound.after(ticks));
+    let has_table = evaluator.segments > 0;
+    let table = has_table.then(|| format!("{}x{}", evaluator.segments, evaluator.terms));
     Ok(PropagatorRun { samples, table, table_bound, ns: Some(ns), steps: None })
 }
 

@@ -2,8 +2,8 @@
 
 use crate::arguments::values::{FINITE, POSITIVE, number};
 use crate::commands::warnings::warnings;
-use crate::terminal::stdout::Report;
-use crate::terminal::table::{Column, TextTable};
+use crate::terminal::report::Report;
+use crate::terminal::table::TextTable;
 use clap::Args;
 use serde::Serialize;
 use serde_json::json;
@@ -13,7 +13,7 @@ use toytop_host::Failure;
 use toytop_host::input::require_within;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::Scalar;
-use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEphemeris, MotionEvent};
+use toytop_host::motion::evaluator::{EventKind, EventQuery, MotionEvaluator, MotionEvent};
 use toytop_host::motion::sample::MotionSample;
 use toytop_host::output::{self, Format, error_text, or_dash, significant};
 
@@ -80,9 +80,9 @@ fn kind(text: &str) -> Result<KindArgument, String> {
 pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let (motion, from, count) = (&scenario.motion, arguments.from, arguments.count as usize);
-    let ephemeris =
-        MotionEphemeris::new(motion, Scalar::F64).map_err(|failure| failure.with_context(&scenario.name))?;
-    require_within([from], ephemeris.furthest_time(), " s")
+    let evaluator =
+        MotionEvaluator::new(motion, Scalar::F64).map_err(|failure| failure.with_context(&scenario.name))?;
+    require_within([from], evaluator.furthest_time(), " s")
         .map_err(|failure| failure.with_context("--from"))?;
     let mut events = Vec::new();
     for argument in &arguments.kinds {
@@ -97,7 +97,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
             Failure::Input(format!("--kind: {text}: must be above 0 and below {below}"))
         };
         let query = EventQuery { kind: *kind, from, upward: *upward, count };
-        let matching = ephemeris.events(&query).map_err(refused)?;
+        let matching = evaluator.events(&query).map_err(refused)?;
         events.extend(matching.into_iter().map(|event| (argument, event)));
     }
     events.sort_by(|(_, a), (_, b)| a.sample.t.total_cmp(&b.sample.t));
@@ -105,7 +105,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let rows: Vec<_> = events.iter().map(|(argument, event)| EventRow::new(argument, event)).collect();
     let table = || match &rows[..] {
         [] => "no such event\n".to_owned(),
-        _ => TextTable::new(2, &columns(scenario.units), &rows).aligned(),
+        _ => table_of(&rows, scenario.units),
     };
     let text = match (arguments.format, &rows[..]) {
         (Format::Csv, []) => output::csv_line(HEADER),
@@ -164,19 +164,23 @@ impl<'a> EventRow<'a> {
     }
 }
 
-fn columns<'a>(units: Units) -> [Column<EventRow<'a>>; 6] {
+fn table_of(rows: &[EventRow<'_>], units: Units) -> String {
     let [t, error] = match units {
         Units::Si => ["t, s", "error of t at most, s"],
         Units::Unnamed => ["t", "error of t at most"],
     };
-    [
-        ("event", |row| row.kind.to_owned()),
-        ("sense", |row| row.sense.to_owned()),
-        (t, |row| significant(row.t, 17)),
-        ("tilt, degrees", |row| significant(row.tilt_deg, 8)),
-        ("tip angle, degrees", |row| or_dash(row.phi_deg, |degrees| significant(degrees, 8))),
-        (error, |row| or_dash(row.time_error, error_text)),
-    ]
+    let line = |row: &EventRow<'_>| {
+        [
+            row.kind.to_owned(),
+            row.sense.to_owned(),
+            significant(row.t, 17),
+            significant(row.tilt_deg, 8),
+            or_dash(row.phi_deg, |degrees| significant(degrees, 8)),
+            or_dash(row.time_error, error_text),
+        ]
+    };
+    let header = ["event", "sense", t, "tilt, degrees", "tip angle, degrees", error];
+    TextTable::new(2, header, rows.iter().map(line)).aligned()
 }
 
 #[cfg(test)]

@@ -5,9 +5,9 @@ mod row_format;
 use crate::arguments::options::{Method, hertz};
 use crate::arguments::times::{Times, TimesArgs};
 use crate::commands::warnings::warnings;
-use crate::files::whole_file;
+use crate::files::{file_or_stdout, whole_file};
 use crate::terminal::parallel::{Progress, write_rows};
-use crate::terminal::stdout::{self, Report};
+use crate::terminal::report::Report;
 use clap::{ArgGroup, Args};
 use row_format::RowFormat;
 use std::path::PathBuf;
@@ -17,7 +17,7 @@ use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::column::SampleColumn;
-use toytop_host::motion::ephemeris::MotionEphemeris;
+use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::motion::full_solver;
 use toytop_host::motion::sample::{MotionSample, body_rates};
 use toytop_host::motion::stepper::{self, steps_needed};
@@ -93,7 +93,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let count = times.seconds.len() as u64;
     let sample = sampler(arguments, &scenario, times, rate)?;
     // from here on the input cannot cause a failure
-    stdout::write_or_file(arguments.output.as_deref(), |out| {
+    file_or_stdout::write(arguments.output.as_deref(), |out| {
         out.write_all(row_format.head().as_bytes())?;
         write_rows(count, &|index, bytes| bytes.extend(row_format.row(index, &sample(index)).bytes()), out)?;
         out.write_all(row_format.end().as_bytes())
@@ -113,7 +113,7 @@ fn sampler(
         return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
     }
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Ephemeris, scalar) => return ephemeris_sampler(scalar, scenario, times, rate),
+        (Method::Table, scalar) => return table_sampler(scalar, scenario, times, rate),
         (Method::Stepper, Scalar::Q31 | Scalar::Q15) => {
             let name = arguments.scalar.name();
             let reason = format!("none in {name}: use --method ephemeris, which has {name}");
@@ -153,7 +153,7 @@ fn full_solver_samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<MotionS
 }
 
 /// * `rate`: tick rate `[A, B]`, A ticks in B seconds
-fn ephemeris_sampler(
+fn table_sampler(
     scalar: Scalar,
     scenario: &Scenario,
     times: Times,
@@ -169,16 +169,16 @@ fn ephemeris_sampler(
         let tick = Tick::ratio(rate[0], rate[1]);
         settings.tick = tick.map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
     }
-    let ephemeris = MotionEphemeris::with_settings(motion, scalar, &settings).map_err(named)?;
+    let evaluator = MotionEvaluator::with_settings(motion, scalar, &settings).map_err(named)?;
     // every tick of 64 bits is in reach of a table
     if in_ticks && motion.regime() != Regime::Aperiodic {
         return Ok(Box::new(move |index| {
             let (tick, t) = (times.ticks[index as usize], times.seconds[index as usize]);
-            MotionSample { t, ..ephemeris.at_tick(tick) }
+            MotionSample { t, ..evaluator.at_tick(tick) }
         }));
     }
-    times.require_within(ephemeris.furthest_time(), " with --method ephemeris")?;
-    Ok(Box::new(move |index| ephemeris.at(times.seconds[index as usize])))
+    times.require_within(evaluator.furthest_time(), " with --method ephemeris")?;
+    Ok(Box::new(move |index| evaluator.at(times.seconds[index as usize])))
 }
 
 /// Function that computes samples by the closed form, if the motion has one.

@@ -4,9 +4,9 @@ mod columns;
 mod rows;
 
 use crate::arguments::values::{LEAST_POSITIVE, Values, number};
-use crate::files::whole_file;
+use crate::files::{file_or_stdout, whole_file};
 use crate::terminal::parallel::write_rows;
-use crate::terminal::stdout::{self, Report};
+use crate::terminal::report::Report;
 use clap::Args;
 use columns::{DEFAULT_COLUMNS, SweepColumn};
 use rows::{MAX_MOTIONS, Sweep};
@@ -109,7 +109,7 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
             first.fetch_min(index, Relaxed);
         }
     };
-    stdout::write_or_file(Some(&arguments.output), |out| {
+    file_or_stdout::write(Some(&arguments.output), |out| {
         // only the first part has the header, so that `cat` joins all parts
         out.write_all(if part == 1 { sweep.header() } else { String::new() }.as_bytes())?;
         write_rows(count, &row, out)

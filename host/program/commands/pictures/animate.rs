@@ -7,7 +7,7 @@ use crate::arguments::values::number;
 use crate::commands::warnings::warnings;
 use crate::files::whole_file;
 use crate::terminal::parallel::Progress;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use clap::Args;
 use film::Film;
 use std::io::BufWriter;

@@ -15,7 +15,7 @@ pub mod tip;
 use crate::arguments::options::{PICTURE, ending_in, time_range};
 use crate::commands::pictures::drawing;
 use crate::commands::warnings::warnings;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;
 use std::path::PathBuf;

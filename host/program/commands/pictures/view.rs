@@ -3,7 +3,7 @@
 use crate::arguments::options::ending_in;
 use crate::commands::warnings::warnings;
 use crate::files::whole_file;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;

@@ -3,11 +3,11 @@
 mod report;
 mod residuals;
 
-use crate::arguments::options::{PICTURE, ending_in};
+use crate::arguments::options::{PICTURE, ending_in, not_stdout};
 use crate::arguments::values::{POSITIVE, number};
 use crate::commands::pictures::drawing;
 use crate::files::whole_file;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::slice;
@@ -60,7 +60,7 @@ pub struct FitArgs {
     #[arg(long, value_name = "FILE", value_parser = ending_in(PICTURE))]
     plot_residuals: Option<PathBuf>,
     /// Scenario file to write
-    #[arg(short, long, value_name = "FITTED.toml")]
+    #[arg(short, long, value_name = "FITTED.toml", value_parser = not_stdout)]
     output: Option<PathBuf>,
 }
 

@@ -1,8 +1,8 @@
 //! `toytop simulate`: simulated readings of sensors on a top.
 
 use crate::arguments::values::{POSITIVE, number};
-use crate::files::whole_file;
-use crate::terminal::stdout::{self, Report};
+use crate::files::{file_or_stdout, whole_file};
+use crate::terminal::report::Report;
 use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;
@@ -51,6 +51,6 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
         Failure::Method(format!("{}: {reason}", scenario.name))
     })?;
     let text = columns::csv(&sensors, &samples);
-    stdout::write_or_file(Some(&arguments.output), |out| out.write_all(text.as_bytes()))?;
+    file_or_stdout::write(Some(&arguments.output), |out| out.write_all(text.as_bytes()))?;
     Ok(Report::default())
 }

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use toytop::{Phase, Support, Top};
 use toytop_host::motion::{
     Scalar,
-    ephemeris::{EventKind, EventQuery, MotionEvent},
+    evaluator::{EventKind, EventQuery, MotionEvent},
     sample::MotionSample,
 };
 

@@ -8,10 +8,10 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop_closed_forms::ClosedForm;
 use toytop_host::input::scenario::MotionInput;
-use toytop_host::motion::TimedMotion;
 use toytop_host::motion::sample::body_rates;
 use toytop_host::reference::float640::{decimal, from_f64};
 use toytop_host::reference::quadrature::Quadrature;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Rust side of `toytop.ClosedForm`.
 #[pyclass(module = "toytop._toytop", frozen)]

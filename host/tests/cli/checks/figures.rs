@@ -29,4 +29,5 @@ fn captions_have_the_numbers_of_the_paper() {
         assert_eq!(picture.matches("stroke=\"#1f4e8c\"").count(), 2, "{name}");
     }
     toytop("figures -o figures/new/figure_3_e3_3.svg/below").refused(2, "figure_3_e3_3.svg");
+    toytop("figures -o -").refused(2, "must not be -, because stdout has the report");
 }

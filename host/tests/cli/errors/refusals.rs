@@ -108,11 +108,11 @@ fn a_method_that_does_not_apply() {
         ("@toy_top --times 1 --method closed-form --format json", "toy_top:  ... e3 = e4 ... e2 = e3 = 1"),
         (
             &format!("{motion_without_table} --times 1 --scalar f64"),
-            "motion_without_table ... no ephemeris ... a table of 4096 segments ... segments of this degree would be enough",
+            "motion_without_table ... no table ... a table of 4096 segments ... segments of this degree would be enough",
         ),
         (
             &format!("{motion_without_table} --times 1 --scalar f32"),
-            "motion_without_table ... no ephemeris ... a table of 4096 segments ... segments of this degree would be enough",
+            "motion_without_table ... no table ... a table of 4096 segments ... segments of this degree would be enough",
         ),
     ] {
         toytop(format!("state {line}")).refused(3, parts);

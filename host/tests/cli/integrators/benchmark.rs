@@ -9,7 +9,7 @@ fn names() -> Vec<String> {
     list(&problems["problems"]).iter().map(name).collect()
 }
 
-/// The printed scenario can be read, and its ephemeris reaches the 30 digits of every problem, in the axes of the source.
+/// The printed scenario can be read, and its table reaches the 30 digits of every problem, in the axes of the source.
 #[test]
 fn the_scenario_agrees_with_the_reference_digits() {
     for name in names() {

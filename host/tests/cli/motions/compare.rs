@@ -85,7 +85,7 @@ fn compare_reads_scenarios_and_reports_a_missed_bound() {
         "compare {} --scalar f32 --periods 1 --format csv",
         motion_without_table("needle_compared")
     ));
-    assert!(run.err.contains("needle_compared f32: no ephemeris"), "{}", run.err);
+    assert!(run.err.contains("needle_compared f32: no table"), "{}", run.err);
     assert!(run.out.contains(",ephemeris,,,") && run.out.ends_with(",no table\n"), "{}", run.out);
 }
 

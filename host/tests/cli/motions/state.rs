@@ -87,7 +87,7 @@ fn times_come_in_the_order_of_the_request() {
     assert_eq!(samples(format!("@toy_top --times-file {path}")), together);
 }
 
-/// Each method computes the motion by itself, so that the samples differ by roundings, and the tip angle is that of the ephemeris.
+/// Each method computes the motion by itself, so that the samples differ by roundings, and the tip angle is that of the table.
 /// `tests/suite/closed_forms/methods_agree.rs` compares the core's methods on every kind of motion.
 #[test]
 fn each_method_is_another_way_to_one_motion() {
@@ -116,7 +116,7 @@ fn each_method_is_another_way_to_one_motion() {
     assert!(samples("@sleeping --times 0.5 --method closed-form")[0]["phi"].is_null());
 }
 
-/// No ephemeris follows this motion. Only whole turns of the tip angle would come from one.
+/// No table follows this motion. Only whole turns of the tip angle would come from one.
 #[test]
 fn the_full_equations_need_no_table() {
     let file = motion_without_table("state_without_table");

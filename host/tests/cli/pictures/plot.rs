@@ -109,7 +109,7 @@ fn every_kind_says_what_it_shows() {
     let resting = lines(&svg("@sleeping", "plot_kinds/a.svg"), "#1f4e8c");
     assert!(resting.iter().all(|line| radii(line).all(|r| r < 0.1)), "a point is no circle");
     let motion_without_table = motion_without_table("plot_needle");
-    toytop(format!("plot {motion_without_table} -o a.svg")).refused(3, "plot_needle: no ephemeris");
+    toytop(format!("plot {motion_without_table} -o a.svg")).refused(3, "plot_needle: no table");
     toytop("plot @sleeping --kind precession -o a.svg")
         .refused(3, "sleeping: the axis is vertical at all times");
     all_refused("plot @toy_top", &[("-o tip.jpg", ".svg or .png"), ("-o tip", ".svg or .png")]);

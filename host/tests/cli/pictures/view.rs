@@ -78,7 +78,7 @@ fn wrong_arguments_and_motions_are_refused() {
         ("@toy_top", "top", 2, "must end in .html or .htm\n"),
         ("@toy_top", "no/such/folder/top.html", 2, "no/such/folder/top.html"),
         ("@no_such_file", "top.html", 2, "no_such_file.toml"),
-        (&motion_without_table, "top.html", 3, "view_needle: no ephemeris"),
+        (&motion_without_table, "top.html", 3, "view_needle: no table"),
     ] {
         toytop(format!("view {file} -o view_refused/{name}")).refused(code, part);
         assert_eq!(count("view_refused"), 0, "{name}");

@@ -101,6 +101,7 @@ fn a_drift_is_reported_with_its_error_bars() {
         &[
             ("--drift 0.02 --free axial_inertia,gravity", "--free: must be at most one name with a drift"),
             ("--drift 0", "--drift"),
+            ("-o -", "must not be -, because stdout has the report"),
         ],
     );
 }

@@ -2,7 +2,7 @@
 
 use super::budgets::{Budgets, FLASH_S};
 use crate::files::doc_page::DocPage;
-use crate::terminal::stdout::Report;
+use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use serde_json::{Value, json};
 use std::iter::once;
@@ -37,7 +37,7 @@ pub fn part_with_launches(rows: &[Value]) -> Part {
     ];
     let named = |row: &Value| columns.iter().map(|(name, heading)| (*heading, row[*name].clone())).collect();
     let rows: Vec<Value> = rows.iter().map(named).collect();
-    (COSTS, "toytop budget: launches", TextTable::from_rows(&rows, 8).markdown())
+    (COSTS, "toytop budget: launches", TextTable::of_fields(&rows, 8).markdown())
 }
 
 /// Writes parts of pages of the repository, after each of them was found to have a place.
@@ -55,27 +55,27 @@ pub fn write(parts: &[Part]) -> Result<Report, Failure> {
 
 /// Calls, each with its text on the page.
 const ROWS: [(&str, &str); 24] = [
-    ("ephemeris_f32", "**ephemeris**, any tick, `f32`"),
-    ("cursor_f32", "**ephemeris**, the next tick, `f32`"),
-    ("fast_tick", "**ephemeris**, the next tick, `f32`, α and β only, in the crate `fast-tick`"),
-    ("omega_fixed_f32", "**ephemeris**, any tick, `f32`: α, β and ω in the fixed frame"),
-    ("omega_f32", "**ephemeris**, any tick, `f32`: α, β and Ω in the body frame"),
-    ("ephemeris_q31", "**ephemeris**, any tick, fixed point of 32 bits"),
-    ("cursor_q31", "**ephemeris**, the next tick, fixed point of 32 bits, the tip in units of s"),
-    ("tip_q31", "**ephemeris**, the next tick, fixed point of 32 bits: α, β and the tip in m"),
-    ("omega_q31", "**ephemeris**, any tick, fixed point of 32 bits: α, β and Ω in the body frame"),
-    ("ephemeris_q15", "**ephemeris**, any tick, fixed point of 16 bits"),
-    ("cursor_q15", "**ephemeris**, the next tick, fixed point of 16 bits"),
+    ("ephemeris_f32", "**table**, any tick, `f32`"),
+    ("cursor_f32", "**table**, the next tick, `f32`"),
+    ("fast_tick", "**table**, the next tick, `f32`, α and β only, in the crate `fast-tick`"),
+    ("omega_fixed_f32", "**table**, any tick, `f32`: α, β and ω in the fixed frame"),
+    ("omega_f32", "**table**, any tick, `f32`: α, β and Ω in the body frame"),
+    ("ephemeris_q31", "**table**, any tick, fixed point of 32 bits"),
+    ("cursor_q31", "**table**, the next tick, fixed point of 32 bits, the tip in units of s"),
+    ("tip_q31", "**table**, the next tick, fixed point of 32 bits: α, β and the tip in m"),
+    ("omega_q31", "**table**, any tick, fixed point of 32 bits: α, β and Ω in the body frame"),
+    ("ephemeris_q15", "**table**, any tick, fixed point of 16 bits"),
+    ("cursor_q15", "**table**, the next tick, fixed point of 16 bits"),
     ("stepper_f32", "stepper, `f32`"),
     ("rk4_f32", "a Runge-Kutta step of the full equations, `f32`"),
     ("multicalc_rk4_f32", "the same by the crate multicalc"),
-    ("ephemeris_f64", "**ephemeris**, any tick, `f64`"),
-    ("cursor_f64", "**ephemeris**, the next tick, `f64`"),
+    ("ephemeris_f64", "**table**, any tick, `f64`"),
+    ("cursor_f64", "**table**, the next tick, `f64`"),
     ("stepper_f64", "stepper, `f64`"),
     ("rk4_f64", "a Runge-Kutta step of the full equations, `f64`"),
     (
         "launch",
-        "set-up, once per launch, `f32`: from measured numbers to the ephemeris, of a 50 g top at 150 rad/s",
+        "set-up, once per launch, `f32`: from measured numbers to the table, of a 50 g top at 150 rad/s",
     ),
     ("new", "set-up of this top, table by value on the stack (`TableF32::new`)"),
     ("launch_in_static", "set-up of this top, whose `Workspace` is kept in static memory"),
@@ -109,7 +109,7 @@ fn table_of_calls(budgets: &Budgets) -> String {
             .chain(COLUMNS.map(figure))
             .collect()
     };
-    TextTable::from_rows(&ROWS.map(row), 8).markdown()
+    TextTable::of_fields(&ROWS.map(row), 8).markdown()
 }
 
 /// Rows of the front page: chip, call and text.
@@ -126,7 +126,7 @@ fn table_of_front_page(budgets: &Budgets) -> String {
         let Cost { cycles, ram, stack, flash, .. } = budgets.budget(chip.name, call);
         json!({ "at most": what, "cycles": cycles, "kept, bytes": ram, "stack, bytes": stack, "flash, bytes": flash })
     };
-    TextTable::from_rows(&FRONT_ROWS.map(row), 8).markdown()
+    TextTable::of_fields(&FRONT_ROWS.map(row), 8).markdown()
 }
 
 #[cfg(test)]
@@ -139,9 +139,7 @@ mod tests {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
         let budgets = Budgets::read(&root.join("firmware-examples/budgets.toml")).expect("the budgets");
         for (name, mark, text) in parts_with_budgets(&budgets) {
-            let page = std::fs::read_to_string(root.join(name)).expect("a page");
-            let part = format!("<!-- {mark} -->\n{text}<!-- end of ");
-            assert!(page.contains(&part), "{name}: toytop budget --accept writes it anew:\n{text}");
+            DocPage::assert_current(name, mark, &text);
         }
     }
 

@@ -30,7 +30,7 @@ pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
                         failures.push(format!("{launch}: {}: {errors:?}: {input:?}", scalar.name()));
                     }
                 }
-                *regimes.entry(toytop_host::motion::regime(regime)).or_default() += 1;
+                *regimes.entry(toytop_model::constants::regime(regime)).or_default() += 1;
                 launched.push(tables);
             }
         }

@@ -3,7 +3,8 @@
 use crate::arguments::options::Method;
 use serde::Serialize;
 use toytop::{Motion, Regime};
-use toytop_host::motion::{Scalar, TimedMotion};
+use toytop_host::motion::Scalar;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Steps in a period. In f64 the truncation of a step equals its rounding between 2048 and 8192 steps; in f32 it is below the rounding
 /// from 512 steps on.
@@ -49,7 +50,7 @@ const MAX_DISTANCE: f64 = 4.0;
 /// Bound on the difference of the core and the full solver, rad; `None` where it exceeds the greatest distance of two orientations.
 ///
 /// * `builtin_bounds`: those of [`NEAR_SEPARATRIX`](toytop_host::input::builtin::NEAR_SEPARATRIX)
-/// * `table`: bound that the table of an ephemeris states
+/// * `table`: bound that a table states
 ///
 /// Beyond ten periods the bound of the stepper grows with time, and the bound of the full solver, whose energy drifts, with its square.
 pub fn bound(
@@ -63,7 +64,7 @@ pub fn bound(
     let solver =
         builtin_bounds.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * growth * growth;
     let core = match (method, builtin_bounds, scalar) {
-        (Method::Ephemeris, ..) => table.unwrap_or_default(),
+        (Method::Table, ..) => table.unwrap_or_default(),
         (_, Some(_), Scalar::F64) => 0.0,
         (_, Some([_, stepper]), _) => stepper * growth,
         (_, None, _) => stepper_bound(motion, scalar) * growth,

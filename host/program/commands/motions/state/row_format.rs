@@ -59,13 +59,6 @@ impl RowFormat {
         format!("\ntip: 2 alpha beta, minus the horizontal part of the axis ({reason})\n")
     }
 
-    fn unit(&self, column: SampleColumn) -> &'static str {
-        match column.si_unit(self.support) {
-            "rad" => "rad",
-            unit => self.units.name(unit),
-        }
-    }
-
     /// Sample over several lines.
     fn block(&self, sample: &MotionSample) -> String {
         let line = |column: &SampleColumn| {
@@ -74,11 +67,11 @@ impl RowFormat {
                 SampleColumn::ErrorBound => 2,
                 _ => 8,
             };
-            let (name, unit) = (column.key(), self.unit(*column));
+            let (name, unit) = (column.key(), self.units.name(column.unit(self.support)));
             let numbers = column.numbers(sample).into_iter().filter(|x| !x.is_nan());
             let texts = [name.to_owned(), unit.to_owned()];
-            texts.into_iter().chain(numbers.map(|x| significant(x, digits))).collect()
+            texts.into_iter().chain(numbers.map(move |x| significant(x, digits)))
         };
-        TextTable { lines: self.columns.iter().map(line).collect(), left: 2 }.aligned()
+        TextTable::new(2, [""; 0], self.columns.iter().map(line)).aligned()
     }
 }

@@ -8,8 +8,8 @@ use serde_json::Value;
 use toytop_host::Failure;
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::ScenarioFile;
-use toytop_host::motion::TimedMotion;
 use toytop_host::output::{csv_line, significant};
+use toytop_model::timed_motion::TimedMotion;
 
 /// Greatest number of motions.
 pub const MAX_MOTIONS: u64 = 1_000_000_000_000;

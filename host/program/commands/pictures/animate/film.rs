@@ -9,6 +9,7 @@ use std::io::{self, Write};
 use toytop::Support;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::pictures::MotionSpan;
+use toytop_model::unit::Unit::Si;
 
 /// Side of a frame's layout, pixels.
 const SIDE: f64 = 480.0;
@@ -74,7 +75,7 @@ impl Film<'_> {
         }
         disc(&mut scene, camera.project(rim(0.0, DISC)), 5.0, START, None);
         text(&mut scene, &self.scenario.name, [14.0, 26.0], 15, TextAnchor::Start, "black");
-        let time = format!("t = {t:.3}{}", self.scenario.units.name(" s"));
+        let time = format!("t = {t:.3}{}", self.scenario.units.name(Si(" s")));
         text(&mut scene, &time, [SIDE - 14.0, 26.0], 15, TextAnchor::End, "black");
         scene
     }

@@ -9,6 +9,7 @@ use toytop_host::motion::euler_angles::tilt_azimuth_roll;
 use toytop_host::output::significant;
 use toytop_host::pictures::MotionSpan;
 use toytop_host::pictures::curve::TiltLimit;
+use toytop_model::unit::Unit::Si;
 
 /// Subtraction of a number, for a label; empty for 0.
 fn minus(x: f64, unit: &str) -> String {
@@ -17,8 +18,8 @@ fn minus(x: f64, unit: &str) -> String {
 
 /// Label of the axis of time, which counts from the first time, because the labels of later times would need many digits.
 fn time_label(scenario: &Scenario, from: f64) -> String {
-    let unit = scenario.units.name(", s");
-    if from == 0.0 { format!("t{unit}") } else { format!("t{}", minus(from, scenario.units.name(" s"))) }
+    let unit = scenario.units.name(Si(", s"));
+    if from == 0.0 { format!("t{unit}") } else { format!("t{}", minus(from, scenario.units.name(Si(" s")))) }
 }
 
 /// Tilt between its limits, against time.
@@ -67,7 +68,7 @@ pub fn precession(scenario: &Scenario, span: &MotionSpan) -> Result<Scene, Failu
         let rate = without_rounding(advance.phi_radians.to_degrees()) / advance.period;
         let first = azimuth(from);
         let mean = vec![[0.0, first], [until - from, first + rate * (until - from)]];
-        let unit = if scenario.units.name("s").is_empty() { "" } else { " degrees/s" };
+        let unit = scenario.units.name(Si(" degrees/s"));
         curves.push(Curve::line(format!("its mean: {}{unit}", significant(rate, 4)), mean));
     }
     let title = format!("{}: precession", scenario.name);

@@ -4,7 +4,7 @@ use crate::commands::pictures::drawing::chart::{Chart, Curve};
 use kuva::render::render::Scene;
 use toytop::{Motion, Regime};
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::motion::tilts;
+use toytop_model::constants::tilts;
 
 /// Least distance from the vertical at which the potential is drawn, degrees. It may be infinite at the vertical.
 const NEAREST: f64 = 0.05;

@@ -8,6 +8,7 @@ use toytop_host::input::scenario::Scenario;
 use toytop_host::pictures::MotionSpan;
 use toytop_host::pictures::curve::TiltLimit;
 use toytop_model::equations::dot;
+use toytop_model::unit::Unit::Si;
 
 const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 700.0;
@@ -47,7 +48,7 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     camera.line_on_sphere(picture, &points, [CURVE, "#b4c6dd"], 1.8);
     disc(picture, camera.project(points[0]), 4.5, START, None);
     let [from, until] = span.ends_as_text();
-    let unit = scenario.units.name(" s");
+    let unit = scenario.units.name(Si(" s"));
     let shown = format!("dot: t = {from}; line: until t = {until}{unit}; pale: behind");
     text(picture, &shown, [MIDDLE[0], HEIGHT - 16.0], 12, middle, CAPTION);
     scene

@@ -12,6 +12,7 @@ use toytop_host::output::significant;
 use toytop_host::pictures::MotionSpan;
 use toytop_host::pictures::curve::TipCurve;
 use toytop_model::constants::tip_class;
+use toytop_model::unit::Unit::Si;
 
 /// Sizes of the layout in pixels: side of the square for the curve, and margins around it.
 const SIDE: f64 = 560.0;
@@ -56,7 +57,7 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
         caption_at(&rests, [middle, ABOVE + 0.5 * SIDE + 30.0], 14);
     }
     let [from, until] = span.ends_as_text();
-    let shown = format!("t = {from} to {until}{}", scenario.units.name(" s"));
+    let shown = format!("t = {from} to {until}{}", scenario.units.name(Si(" s")));
     caption_at(&shown, [LEFT + 0.88 * SIDE, ABOVE + SIDE + BELOW - 12.0], 12);
     label_above(&mut scene, &format!("y{unit}"), [12.0, ABOVE - 8.0]);
     scene

@@ -16,12 +16,8 @@ pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
         return state + "\n";
     }
     let line = |name: &str, value: f64, deviation: f64, unit: &str| {
-        vec![
-            name.to_owned(),
-            significant(value, 9),
-            format!("+- {}", significant(deviation, 2)),
-            unit.to_owned(),
-        ]
+        let deviation = format!("+- {}", significant(deviation, 2));
+        [name.to_owned(), significant(value, 9), deviation, unit.to_owned()]
     };
     let mut rows = vec![
         line("tilt", summary.tilt_deg, summary.tilt_deviation_deg, "degrees"),
@@ -33,9 +29,7 @@ pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
     let quaternion = summary.quaternion.map(|x| significant(x, 9)).join(" ");
     let turned = summary.orientation_deviation.map(|x| significant(x.to_degrees(), 2)).join(" ");
     rows.push(
-        ["orientation", &quaternion, &format!("+- {turned}"), "degrees about x, y, z"]
-            .map(str::to_owned)
-            .to_vec(),
+        ["orientation", &quaternion, &format!("+- {turned}"), "degrees about x, y, z"].map(str::to_owned),
     );
     for (key, Estimated { deviation, value }) in &summary.free {
         rows.push(line(key, *value, *deviation, ""));
@@ -54,7 +48,7 @@ pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
         "{state}\n\nlaunch at t = {}\n{}\n\
          chi squared by degrees of freedom {}; {} values used, {} at the end of the range, {} outliers, largest residual {} sigma\n",
         significant(summary.epoch, 9),
-        TextTable { lines: rows, left: 4 }.aligned(),
+        TextTable::new(4, [""; 0], rows).aligned(),
         significant(summary.reduced_chi_squared, 4),
         summary.used,
         summary.saturated,
@@ -67,9 +61,10 @@ pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {
     if summary.alternatives > 0 {
         text += &format!("{} other launches fit the first samples as well\n", summary.alternatives);
     }
-    let mut ahead = vec![["t, s", "orientation +-, rad", "axis +-, rad"].map(str::to_owned).to_vec()];
-    for Prediction { axis_rad, orientation_rad, t } in &summary.prediction {
-        ahead.push(vec![significant(*t, 6), significant(*orientation_rad, 2), significant(*axis_rad, 2)]);
-    }
-    text + "\nprediction\n" + &TextTable { lines: ahead, left: 0 }.aligned() + "\n"
+    let ahead = |Prediction { axis_rad, orientation_rad, t }: &Prediction| {
+        [significant(*t, 6), significant(*orientation_rad, 2), significant(*axis_rad, 2)]
+    };
+    let header = ["t, s", "orientation +-, rad", "axis +-, rad"];
+    let prediction = TextTable::new(0, header, summary.prediction.iter().map(ahead));
+    text + "\nprediction\n" + &prediction.aligned() + "\n"
 }

@@ -65,9 +65,9 @@ fn a_failed_bake_writes_nothing() {
     all_refused("bake @toy_top", &[("-o no/such/folder/top.h", "no/such/folder/top.h")]);
     let motion_without_table =
         format!("bake -o bake_refused/top.rs {}", motion_without_table("bake_motion_without_table"));
-    toytop(&motion_without_table).refused(3, "bake_motion_without_table: no ephemeris");
+    toytop(&motion_without_table).refused(3, "bake_motion_without_table: no table");
     toytop(motion_without_table + " --segments 32")
-        .refused(3, "bake_motion_without_table: no ephemeris: a table of 32 segments");
+        .refused(3, "bake_motion_without_table: no table: a table of 32 segments");
     assert_eq!(count("bake_refused"), 0);
 }
 

@@ -14,7 +14,7 @@ use std::process::Command;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use toytop::{Complex, Motion, Orientation};
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::TimedMotion;
+use toytop_model::timed_motion::TimedMotion;
 use toytop_page::table::PageTable;
 
 /// The document at the end of a minute of Chromium's virtual time, and the lines of its console.
@@ -39,55 +39,30 @@ fn browse(page: &Path, width: u32, fragment: &str) -> (String, Vec<String>) {
     (String::from_utf8(output.stdout).expect("UTF-8"), console)
 }
 
-/// Script that goes to each time by the address, and returns the data that are shown.
-const SHOWN: &str = "
-const results = [];
-for (const t of TIMES) {
-  location.hash = `t=${t}`;
-  await settled();
-  const { pose, rotate } = shown;
-  const columns = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(rotate);
-  results.push({ t: state.t, ...pose, columns, facts: facts(), colours: colours() });
-}
-return results;
-";
-
 /// Frames as timers, because Chromium's virtual time runs ahead while nothing is to be done, and does not wait for frames.
 const FRAMES: &str =
     "window.requestAnimationFrame = (draw) => setTimeout(() => draw(performance.now()), 16);";
 
-/// Functions that the scripts of the tests use.
-const TOOLS: &str = "
-const settled = () => new Promise((done) => setTimeout(done, 300));
-const pixels = (canvas) => {
-  const { width, height } = canvas;
-  const copy = new OffscreenCanvas(width, height).getContext('2d', { willReadFrequently: true });
-  copy.drawImage(canvas, 0, 0);
-  return copy.getImageData(0, 0, width, height).data;
-};
-const picture = (canvas) => pixels(canvas).reduce((hash, byte) => (Math.imul(hash, 31) + byte) | 0, 0);
-const colours = () => [...document.querySelectorAll('canvas')].map((canvas) => new Set(new Uint32Array(pixels(canvas).buffer)).size);
-const facts = () => Object.fromEntries([...document.querySelectorAll('tr')].map((row) => [...row.children].map((cell) => cell.textContent)));
-const set = async (id, value, event) => {
-  element(id).value = value;
-  element(id).dispatchEvent(new Event(event, { bubbles: true }));
-  await settled();
-};
-";
+/// Scripts that a probe runs after that of the page.
+const SCRIPTS: [&str; 2] = [include_str!("browser/probes.js"), include_str!("browser/controls.js")];
 
-/// Result of a script that runs after that of the page. It goes through the element `probe`.
-fn probe(page: &Path, script: &str, width: u32, fragment: &str) -> Value {
+/// Result of a call of a function of [`SCRIPTS`]. It goes through the element `probe`.
+fn probe(page: &Path, call: &str, width: u32, fragment: &str) -> Value {
     let html = std::fs::read_to_string(page).expect("the page");
+    // as the page, a probe is one script without modules
+    let lines = SCRIPTS.iter().flat_map(|script| script.lines()).filter(|line| !line.starts_with("import "));
+    let scripts: Vec<_> = lines.map(|line| line.strip_prefix("export ").unwrap_or(line)).collect();
     let probe = format!(
-        "<pre id=\"result\"></pre><script>{TOOLS}
+        "<pre id=\"result\"></pre><script>{}
 addEventListener(\"load\", async () => {{
   await ready;
   await settled();
-  const results = await (async () => {{{script}}})();
+  const results = await {call};
   element(\"result\").textContent = JSON.stringify(results);
   element(\"result\").id = \"probe\";
 }});
-</script></body>"
+</script></body>",
+        scripts.join("\n")
     );
     let html = html.replace("<head>", &format!("<head><script>{FRAMES}</script>")).replace("</body>", &probe);
     let probed_page = page.with_extension("probe.html");
@@ -137,7 +112,7 @@ fn the_page_shows_what_the_core_says() {
         let core = core_of(&Scenario::read(Path::new(&file)).expect("a scenario").motion);
         // also far from t = 0, and in the past
         let times = [0.3125, -2.5, 1_000_000.75];
-        let shown = probe(&page, &SHOWN.replace("TIMES", &format!("{times:?}")), 1200, "");
+        let shown = probe(&page, &format!("shownAt({times:?})"), 1200, "");
         let shown = list(&shown);
         assert_eq!(shown.len(), times.len());
         for (shown, t) in shown.iter().zip(times) {

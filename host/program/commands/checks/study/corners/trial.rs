@@ -1,25 +1,25 @@
-//! Trial of one launch: its ephemeris in each scalar, compared with the truth and with its own bounds.
+//! Trial of one launch: its table in each scalar, compared with the truth and with its own bounds.
 
 use super::random_launch;
 use toytop::{ParameterError, Regime, TableSettings};
 use toytop_host::input::random::Random;
 use toytop_host::input::scenario::MotionInput;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::TimedMotion;
-use toytop_host::motion::ephemeris::{EventKind, EventQuery, MotionEphemeris};
 use toytop_host::motion::errors::{greater_or_infinite, rate_error};
+use toytop_host::motion::evaluator::{EventKind, EventQuery, MotionEvaluator};
 use toytop_host::reference::float640::{Float640, from_f64, from_i64, to_i64};
 use toytop_host::reference::quadrature::Quadrature;
+use toytop_model::timed_motion::TimedMotion;
 
 /// Launch that was tried.
 pub struct Trial {
     pub input: MotionInput,
     pub regime: Regime,
-    /// Errors of the ephemeris in each scalar; `None` where no ephemeris is large enough.
+    /// Errors of the table in each scalar; `None` where no table is large enough.
     pub tables: [Option<TableErrors>; 4],
 }
 
-/// Errors of an ephemeris.
+/// Errors of a table.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct TableErrors {
     /// Number of ticks that were compared with the truth.
@@ -51,9 +51,9 @@ const RANDOM_TICKS: usize = 4;
 const DISTANT_POWERS: [u32; 3] = [40, 50, 62];
 /// Number of periods that are searched for the tick closest to a turning point.
 const SEARCHED_PERIODS: i64 = 64;
-/// Number of ticks of the first period at which the rates are compared with a finer ephemeris.
+/// Number of ticks of the first period at which the rates are compared with a finer table.
 const RATE_TICKS: i64 = 2048;
-/// Truncation error of the finer ephemeris, far below the rounding of `f64`, rad.
+/// Truncation error of the finer table, far below the rounding of `f64`, rad.
 const FINE_TRUNCATION: f64 = 1e-18;
 
 /// Draws the launch of this number and tries it.
@@ -65,22 +65,22 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     let input = random_launch::draw(&mut random);
     let motion = input.motion()?;
     let (period, rate) = (motion.characteristic_time(), motion.ticks_per_time());
-    let ephemerides = Scalar::ALL.map(|scalar| MotionEphemeris::new(&motion, scalar).ok());
+    let tables = Scalar::ALL.map(|scalar| MotionEvaluator::new(&motion, scalar).ok());
     let times = [(); NORM_TIMES].map(|()| random.between(0.0, period));
-    let mut errors = ephemerides.each_ref().map(|ephemeris| {
-        let ephemeris = ephemeris.as_ref()?;
-        Some(TableErrors { norm_over_bound: norm_over_bound(ephemeris, &times), ..TableErrors::default() })
+    let mut errors = tables.each_ref().map(|table| {
+        let table = table.as_ref()?;
+        Some(TableErrors { norm_over_bound: norm_over_bound(table, &times), ..TableErrors::default() })
     });
     if with_truth {
         let truth = Quadrature::new(&input);
         let ticks = ticks(&truth, (rate, period), &mut random);
-        for tick in ticks.into_iter().chain(most_different_rates(&ephemerides, &motion, period * rate)) {
+        for tick in ticks.into_iter().chain(most_different_rates(&tables, &motion, period * rate)) {
             let t = from_i64(tick) / from_f64(rate);
             let (orientation, rates) = (truth.at(&t), truth.rates(&t, period));
-            for (ephemeris, errors) in ephemerides.iter().flatten().zip(errors.iter_mut().flatten()) {
-                let (bound, rate_bound) = (ephemeris.error_bound, ephemeris.rate_error_bound);
+            for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
+                let (bound, rate_bound) = (table.error_bound, table.rate_error_bound);
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
-                let sample = ephemeris.at_tick(tick);
+                let sample = table.at_tick(tick);
                 let error = orientation.error_of(&sample.pose.orientation);
                 let rate_error = rate_error(&sample.rates, &rates);
                 errors.ticks += 1;
@@ -101,18 +101,17 @@ fn ratio(error: f64, bound: f64) -> f64 {
 }
 
 /// Greatest error of the norm at these times, and of u at both turning points, over the bound.
-fn norm_over_bound(ephemeris: &MotionEphemeris, times: &[f64]) -> f64 {
-    let motion = &ephemeris.motion;
+fn norm_over_bound(table: &MotionEvaluator, times: &[f64]) -> f64 {
+    let motion = &table.motion;
     let e = motion.branch_points();
     let query = EventQuery { kind: EventKind::Turning, from: 0.0, upward: None, count: 2 };
-    let turning = ephemeris.events(&query).unwrap_or_default();
+    let turning = table.events(&query).unwrap_or_default();
     let turning = turning.into_iter().map(|event| (event.sample.t, if event.upward { e.e2 } else { e.e1 }));
     let turning = turning.filter(|_| motion.regime() == Regime::Nutating);
-    let norms = times.iter().map(|&t| (t, ephemeris.pose(t).orientation.norm_squared() - 1.0));
-    let heights = turning.map(|(t, u)| (t, ephemeris.pose(t).orientation.u() - u));
-    let of_bound = |(t, error): (f64, f64)| {
-        ratio(error.abs(), ephemeris.error_bound.after(t * ephemeris.ticks_per_time))
-    };
+    let norms = times.iter().map(|&t| (t, table.pose(t).orientation.norm_squared() - 1.0));
+    let heights = turning.map(|(t, u)| (t, table.pose(t).orientation.u() - u));
+    let of_bound =
+        |(t, error): (f64, f64)| ratio(error.abs(), table.error_bound.after(t * table.ticks_per_time));
     norms.chain(heights).map(of_bound).fold(0.0, greater_or_infinite)
 }
 
@@ -150,21 +149,16 @@ fn nearest(tick: i64, place: &Float640, period: &Float640) -> Option<i64> {
     closest.and_then(|place| to_i64(&place))
 }
 
-/// For each scalar, the tick of the first period at which its rates differ most from a finer ephemeris.
-fn most_different_rates(
-    ephemerides: &[Option<MotionEphemeris>],
-    motion: &TimedMotion,
-    period: f64,
-) -> Vec<i64> {
+/// For each scalar, the tick of the first period at which its rates differ most from a finer table.
+fn most_different_rates(tables: &[Option<MotionEvaluator>], motion: &TimedMotion, period: f64) -> Vec<i64> {
     let settings = TableSettings { truncation: Some(FINE_TRUNCATION), ..TableSettings::new(motion.tick()) };
-    let finer = MotionEphemeris::with_settings(motion, Scalar::F64, &settings);
+    let finer = MotionEvaluator::with_settings(motion, Scalar::F64, &settings);
     let Ok(finer) = finer else { return Vec::new() };
     let tick = |place: i64| (period * place as f64 / RATE_TICKS as f64) as i64;
     let fine: Vec<_> = (0..RATE_TICKS).map(tick).map(|tick| (tick, finer.at_tick(tick).rates)).collect();
-    let most = |ephemeris: &MotionEphemeris| {
-        let apart =
-            fine.iter().map(|(tick, rates)| (*tick, rate_error(&ephemeris.at_tick(*tick).rates, rates)));
+    let most = |table: &MotionEvaluator| {
+        let apart = fine.iter().map(|(tick, rates)| (*tick, rate_error(&table.at_tick(*tick).rates, rates)));
         apart.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(tick, _)| tick)
     };
-    ephemerides.iter().flatten().filter_map(most).collect()
+    tables.iter().flatten().filter_map(most).collect()
 }

@@ -46,17 +46,7 @@ fn an_address_with_an_error_is_answered() {
     view(&[&sample("toy_top")], &page);
     let addresses = addresses();
     let fragments: Vec<_> = addresses.iter().map(|(fragment, _)| format!("#{fragment}")).collect();
-    let script = format!(
-        "const found = [];
-play(false);
-for (const fragment of {fragments:?}) {{
-  location.hash = fragment;
-  await settled();
-  found.push([element('message').hidden ? '' : element('message').textContent, scene.constants.spin]);
-}}
-return found;"
-    );
-    let found = probe(&page, &script, 1200, "");
+    let found = probe(&page, &format!("visit({fragments:?})"), 1200, "");
     let found = list(&found);
     assert_eq!(found.len(), addresses.len());
     for (i, ((fragment, message), found)) in addresses.iter().zip(found).enumerate() {

@@ -21,14 +21,7 @@ fn every_regime_is_described_in_words() {
     let page = folder("view_sentences").join("top.html");
     view(&[], &page);
     let regimes = REGIMES.map(|(regime, _)| regime);
-    let script = format!(
-        "play(false);
-const found = {regimes:?}.map((regime) => summaryOf({{ ...scene.constants, regime }}));
-const definitions = [...document.querySelectorAll('[data-define]')].map((term) => term.dataset.define);
-found.push([document.body.innerText, ...definitions].join(' '));
-return found;"
-    );
-    let found = probe(&page, &script, 1200, "");
+    let found = probe(&page, &format!("describe({regimes:?})"), 1200, "");
     let texts: Vec<_> = list(&found).iter().map(|text| text.as_str().expect("a text")).collect();
     for ((regime, phrase), text) in REGIMES.into_iter().zip(&texts) {
         assert!(text.contains(phrase), "{regime}: {text}");

@@ -2,11 +2,11 @@
 """One second of a telephone's sensors on a top: who predicts the next ten seconds?
 
     python3 -m pip install numpy scipy vqf
-    cargo build --release --bin toytop && python3 host/problems/comparisons/fit_comparison.py target/release/toytop
+    cargo build --release --bin toytop && python3 host/comparisons/fit_comparison.py target/release/toytop
 
 Three methods get the same samples: toytop fit, without a guess; the filter VQF (Laidig and Seel 2023), whose last orientation is
 continued at the last rate of the gyroscope, less the bias that it found; and a batch fit by SciPy's least_squares over DOP853, which begins near the truth.
-Prints the angle between the predicted and the true orientation, and the time that each method took, as the table of host/problems/comparisons/README.md.
+Prints the angle between the predicted and the true orientation, and the time that each method took, as the table of host/comparisons/README.md.
 """
 import csv, json, pathlib, subprocess, sys, tempfile, time
 import numpy as np

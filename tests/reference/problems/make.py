@@ -14,7 +14,7 @@ from pathlib import Path
 from mpmath import mp, mpc, mpf
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE.parents[2] / "tests" / "reference"))
+sys.path.insert(0, str(HERE.parent))
 import exact_motion  # noqa: E402
 import newton_euler  # noqa: E402
 import taylor  # noqa: E402
@@ -128,7 +128,7 @@ for name, problem in problems().items():
     agree = all(x < AGREE for x in off.values())
     print(name, {key: mp.nstr(x, 2) for key, x in off.items()}, "written" if agree else "NOT WRITTEN", flush=True)
     if agree:
-        folder = HERE.parent / name
+        folder = HERE.parents[2] / "host" / "problems" / name
         folder.mkdir(exist_ok=True)
         record = {"confirmed_by": {key: mp.nstr(x, 2) for key, x in off.items()}, "samples": rows}
         (folder / "reference.json").write_text(json.dumps(record, indent=1) + "\n")

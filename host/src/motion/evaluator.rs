@@ -1,10 +1,7 @@
-//! Ephemeris of a motion, with as many segments as it needs, in any scalar.
+//! Evaluator of a motion: a table with as many segments as it needs, in any scalar, or the closed form of an aperiodic motion.
 
 mod events;
 
-mod source;
-
-mod aperiodic;
 mod heap_table;
 
 pub use events::{EventKind, EventQuery, MotionEvent};
@@ -14,14 +11,15 @@ use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::MotionSample;
-use aperiodic::ClosedFormSource;
+use events::{events_of_closed_form, tip_angle};
 use fixed::types::{I2F14, I2F30};
-use source::MotionSource;
+use heap_table::AnyTable;
 use toytop::{ErrorBound, ParameterError, Pose, TableScalar, TableSettings};
+use toytop_model::evaluator::{AperiodicMotion, Evaluator};
 use toytop_model::timed_motion::{MAX_TICKS, TimedMotion};
 
-/// Ephemeris of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
-pub struct MotionEphemeris {
+/// Evaluator of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
+pub struct MotionEvaluator {
     /// Number of segments; 0 without a table.
     pub segments: usize,
     /// Number of coefficients of each polynomial; 0 without a table.
@@ -34,11 +32,11 @@ pub struct MotionEphemeris {
     pub rate_error_bound: ErrorBound,
     /// Motion, with its period.
     pub motion: TimedMotion,
-    source: Box<dyn MotionSource>,
+    evaluator: Evaluator<Box<dyn AnyTable>>,
 }
 
-impl MotionEphemeris {
-    /// Ephemeris of a motion in the smallest table, or the closed form of an aperiodic motion, in ticks of [`TimedMotion::tick`].
+impl MotionEvaluator {
+    /// Smallest table of a motion, or the closed form of an aperiodic motion, in ticks of [`TimedMotion::tick`].
     ///
     /// # Errors
     /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
@@ -46,7 +44,7 @@ impl MotionEphemeris {
         Self::with_settings(motion, scalar, &TableSettings::new(motion.tick()))
     }
 
-    /// Ephemeris as [`new`](Self::new) makes it, with other settings of its table, which a closed form does not have.
+    /// Evaluator as [`new`](Self::new) makes it, with other settings of its table, which a closed form does not have.
     ///
     /// # Errors
     /// As [`new`](Self::new).
@@ -55,67 +53,60 @@ impl MotionEphemeris {
         scalar: Scalar,
         settings: &TableSettings,
     ) -> Result<Self, Failure> {
-        match (ClosedFormSource::new(motion), scalar) {
-            (Some(form), Scalar::F64) => Ok(Self::from_closed_form(motion, form)),
-            (Some(_), _) => {
-                let reason = "an aperiodic motion has a closed form in f64, and no table";
-                Err(Failure::Method(reason.to_owned()))
+        let table = || match scalar {
+            Scalar::F64 => boxed::<f64>(motion, settings),
+            Scalar::F32 => boxed::<f32>(motion, settings),
+            Scalar::Q31 => boxed::<I2F30>(motion, settings),
+            Scalar::Q15 => boxed::<I2F14>(motion, settings),
+        };
+        let evaluator = Evaluator::new(motion, table)?;
+        let ([segments, terms], ticks_per_time, error_bound, rate_error_bound) = match &evaluator {
+            Evaluator::Table(table) => table.properties(),
+            Evaluator::ClosedForm(form) if scalar == Scalar::F64 => {
+                ([0; 2], form.ticks_per_time, form.error_bound(), rate_error_bound(form))
             }
-            (None, Scalar::F64) => Self::from_table::<f64>(motion, settings),
-            (None, Scalar::F32) => Self::from_table::<f32>(motion, settings),
-            (None, Scalar::Q31) => Self::from_table::<I2F30>(motion, settings),
-            (None, Scalar::Q15) => Self::from_table::<I2F14>(motion, settings),
-        }
+            Evaluator::ClosedForm(_) => {
+                let reason = "an aperiodic motion has a closed form in f64, and no table";
+                return Err(Failure::Method(reason.to_owned()));
+            }
+        };
+        let motion = *motion;
+        Ok(Self { segments, terms, ticks_per_time, error_bound, rate_error_bound, motion, evaluator })
     }
 
-    fn from_table<R: TableScalar>(motion: &TimedMotion, settings: &TableSettings) -> Result<Self, Failure>
-    where
-        HeapTable<R>: MotionSource,
-    {
-        let source = HeapTable::new(motion, settings, SEGMENTS)?;
-        let table = source.table();
-        let [ticks_per_time, _] = table.clock().ticks_per_time;
-        Ok(Self {
-            segments: table.capacity(),
-            terms: R::TERMS,
-            ticks_per_time,
-            error_bound: table.error_bound(),
-            rate_error_bound: table.rate_error_bound(),
-            motion: *motion,
-            source: Box::new(source),
-        })
-    }
-
-    fn from_closed_form(motion: &TimedMotion, form: ClosedFormSource) -> Self {
-        Self {
-            segments: 0,
-            terms: 0,
-            ticks_per_time: form.motion.ticks_per_time,
-            error_bound: form.motion.error_bound(),
-            rate_error_bound: form.rate_error_bound(),
-            motion: *motion,
-            source: Box::new(form),
-        }
-    }
-
-    /// Greatest distance of a time from t = 0 at which the ephemeris can be evaluated.
+    /// Greatest distance of a time from t = 0 at which the motion can be evaluated.
     pub fn furthest_time(&self) -> f64 {
         MAX_TICKS / self.ticks_per_time
     }
 
+    /// Sample at the time t, taken as exact.
+    ///
+    /// * `tick`: number of the tick at this time, if it is one
+    /// * `only`: column whose numbers are computed; without it, all quantities
+    fn sample(&self, t: f64, tick: Option<i64>, only: Option<SampleColumn>) -> MotionSample {
+        match &self.evaluator {
+            Evaluator::Table(table) => table.sample(t, tick, only),
+            Evaluator::ClosedForm(form) => {
+                let (state, tip) = form.at(t);
+                let sample = MotionSample::from_state(t, &state, tip, Some(tip_angle(form, t)));
+                MotionSample { error_bound: Some(self.error_bound.after(t * self.ticks_per_time)), ..sample }
+            }
+        }
+    }
+
     /// Sample t units of time after t = 0, t taken as exact.
     pub fn at(&self, t: f64) -> MotionSample {
-        self.source.sample(t, None, None)
+        self.sample(t, None, None)
     }
 
     /// Sample at tick n.
     pub fn at_tick(&self, n: i64) -> MotionSample {
-        self.source.sample(n as f64 / self.ticks_per_time, Some(n), None)
+        self.sample(n as f64 / self.ticks_per_time, Some(n), None)
     }
 
     /// Orientation, u and tip t units of time after t = 0.
     pub fn pose(&self, t: f64) -> Pose<f64, f64> {
-        self.source.sample(t, None, Some(SampleColumn::U)).pose
+        self.sample(t, None, Some(SampleColumn::U)).pose
     }
 
     /// Events of a query, in the order of their times.
@@ -123,9 +114,13 @@ impl MotionEphemeris {
     /// # Errors
     /// `tilt` or `radius`: the motion's top has no such event.
     pub fn events(&self, query: &EventQuery) -> Result<Vec<MotionEvent>, ParameterError> {
-        let conditions = query.kind.conditions(&self.motion)?.into_iter();
-        let mut events: Vec<_> =
-            conditions.flat_map(|condition| self.source.events(condition, query)).collect();
+        let mut events = Vec::new();
+        for condition in query.kind.conditions(&self.motion)? {
+            events.extend(match &self.evaluator {
+                Evaluator::Table(table) => table.events(condition, query),
+                Evaluator::ClosedForm(form) => events_of_closed_form(form, condition, query, &|t| self.at(t)),
+            });
+        }
         events.sort_by(|a, b| a.sample.t.total_cmp(&b.sample.t));
         events.truncate(query.count);
         Ok(events)
@@ -134,11 +129,26 @@ impl MotionEphemeris {
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
         let rows = rows.chunks_exact_mut(column.names().len());
-        times
-            .iter()
-            .zip(rows)
-            .for_each(|(t, row)| column.write(&self.source.sample(*t, None, Some(column)), row));
+        times.iter().zip(rows).for_each(|(t, row)| column.write(&self.sample(*t, None, Some(column)), row));
     }
+}
+
+/// Table of a motion in the least number of segments that is enough.
+fn boxed<R: TableScalar>(motion: &TimedMotion, settings: &TableSettings) -> Result<Box<dyn AnyTable>, Failure>
+where
+    HeapTable<R>: AnyTable + 'static,
+{
+    Ok(Box::new(HeapTable::<R>::new(motion, settings, SEGMENTS)?))
+}
+
+/// Bound on the error of ω, of Ω and of u' by a closed form, rad per unit time. It is checked by tests and not proved. The angular speed
+/// is greatest at the lowest point.
+fn rate_error_bound(form: &AperiodicMotion) -> ErrorBound {
+    const ERROR: f64 = 5e-14;
+    let [x, y, z] = form.form.at(form.lowest).omega_body();
+    let speed = x.hypot(y).hypot(z);
+    let constant = (1.0 + speed) * ERROR;
+    ErrorBound { constant, per_tick: constant * speed / form.ticks_per_time }
 }
 
 #[cfg(test)]
@@ -174,9 +184,9 @@ mod tests {
     #[test]
     fn an_aperiodic_motion_has_a_closed_form_in_f64_alone() {
         let motion = motion(1.0, [0.2, 1.0, 1.0]);
-        assert_eq!(MotionEphemeris::new(&motion, Scalar::F64).unwrap().segments, 0);
+        assert_eq!(MotionEvaluator::new(&motion, Scalar::F64).unwrap().segments, 0);
         for scalar in [Scalar::F32, Scalar::Q31, Scalar::Q15] {
-            let refusal = MotionEphemeris::new(&motion, scalar).err().unwrap().to_string();
+            let refusal = MotionEvaluator::new(&motion, scalar).err().unwrap().to_string();
             assert_eq!(refusal, "an aperiodic motion has a closed form in f64, and no table");
         }
     }
@@ -184,7 +194,7 @@ mod tests {
     /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
     fn sizes_chosen<R: TableScalar>(scalar: Scalar, motions: &[TimedMotion]) -> Vec<usize> {
         let chosen = |motion: &TimedMotion| {
-            let table = MotionEphemeris::new(motion, scalar).unwrap();
+            let table = MotionEvaluator::new(motion, scalar).unwrap();
             let settings = TableSettings::new(motion.tick());
             for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < table.segments) {
                 let refused = HeapTable::<R>::new(motion, &settings, segments..=segments).is_err();

@@ -1,7 +1,6 @@
 //! Table of the core on the heap.
 
 use super::events::{Condition, EventQuery, MotionEvent};
-use super::source::MotionSource;
 use crate::Failure;
 use crate::motion::column::SampleColumn::{self, ErrorBound, Omega, OmegaBody, T, TipAngle, Udot};
 use crate::motion::sample::{MotionSample, unwrapped};
@@ -9,7 +8,8 @@ use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 use toytop::scalar::Float;
 use toytop::{
-    Event, Motion, Pose, SetUpError, SizedTable, Table, TableMemory, TableScalar, TableSettings, Workspace,
+    ErrorBound as Bound, Event, Motion, Pose, SetUpError, SizedTable, Table, TableMemory, TableScalar,
+    TableSettings, Workspace,
 };
 
 macro_rules! capacities {
@@ -73,7 +73,7 @@ impl<R: TableScalar> HeapTable<R> {
         } else {
             String::new()
         };
-        Err(Failure::Method(format!("no ephemeris: {error}{hint}")))
+        Err(Failure::Method(format!("no table: {error}{hint}")))
     }
 
     /// Table itself.
@@ -115,10 +115,32 @@ impl<R: TableScalar> HeapTable<R> {
     }
 }
 
-impl<R: TableScalar> MotionSource for HeapTable<R>
+/// Table in any scalar.
+pub trait AnyTable: Send + Sync {
+    /// Numbers of segments and of coefficients of each polynomial, ticks in a unit of time, and the bounds on the errors of the orientation
+    /// and of the rates.
+    fn properties(&self) -> ([usize; 2], f64, Bound, Bound);
+
+    /// Sample at the time t, taken as exact.
+    ///
+    /// * `tick`: number of the tick at this time, if it is one
+    /// * `only`: column whose numbers are computed; without it, all quantities
+    fn sample(&self, t: f64, tick: Option<i64>, only: Option<SampleColumn>) -> MotionSample;
+
+    /// First events at which a condition holds, of those that the query includes.
+    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
+}
+
+impl<R: TableScalar> AnyTable for HeapTable<R>
 where
     Self: Send + Sync,
 {
+    fn properties(&self) -> ([usize; 2], f64, Bound, Bound) {
+        let table = self.table();
+        let [ticks_per_time, _] = table.clock().ticks_per_time;
+        ([table.capacity(), R::TERMS], ticks_per_time, table.error_bound(), table.rate_error_bound())
+    }
+
     fn sample(&self, t: f64, tick: Option<i64>, only: Option<SampleColumn>) -> MotionSample {
         let table = self.table();
         self.sample_at(&tick.map_or_else(|| table.at(t), |n| table.at_tick(n)), t, only)

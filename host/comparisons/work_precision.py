@@ -7,7 +7,7 @@ its series.
 import json, math, pathlib, subprocess, sys
 
 HERE = pathlib.Path(__file__).resolve().parent
-PROBLEMS = HERE.parent
+PROBLEMS = HERE.parent / "problems"
 METHODS = {"SciPy DOP853": ("scipy_dop853.py", "#1f77b4"), "heyoka": ("heyoka_taylor.py", "#d62728"), "Lie group": ("lie_group.py", "#2ca02c")}
 
 
