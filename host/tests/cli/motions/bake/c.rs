@@ -202,7 +202,7 @@ fn two_tables_of_one_name_do_not_compile() {
     assert_ne!(refused.code, Some(0));
     assert!(refused.err.contains("two different tables have the name top_top"), "{}", refused.err);
     let other =
-        read("bake_one_name/a/top.h").replace("TOYTOP_CLOCK 7", "TOYTOP_CLOCK 6").replace("TOP_TOP", "OTHER");
+        read("bake_one_name/a/top.h").replace("TOYTOP_CLOCK 8", "TOYTOP_CLOCK 7").replace("TOP_TOP", "OTHER");
     write("bake_one_name/a/other.h", other);
     let refused = compiled("#include \"a/other.h\"\n#include \"b/top.h\"\n");
     assert!(refused.err.contains("two versions of toytop"), "{}", refused.err);
