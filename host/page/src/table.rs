@@ -32,6 +32,8 @@ impl PageTable {
     /// `e3`: the motion is so close to the separatrix that no table holds it.
     pub fn set_up(&mut self, motion: &TimedMotion) -> Result<(), ParameterError> {
         self.ticks_per_time = motion.ticks_per_time();
+        // not the closed form of the motion before, if this one is refused
+        self.evaluator = Evaluator::Table(());
         let settings = TableSettings::new(motion.tick());
         let mut fits = |truncation: &f64| {
             let settings = TableSettings { truncation: Some(*truncation), ..settings };

@@ -54,3 +54,36 @@ pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('{', "&#123;")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::sync::Mutex;
+    use toytop::{InitialAngles, Motion, Orientation, Sign, Signs, Top, TopParameters};
+    use toytop_model::timed_motion::TimedMotion;
+
+    /// After a refusal the table has no motion, also if the motion before had a closed form.
+    #[test]
+    fn a_refused_motion_leaves_no_other() {
+        static TABLE: Mutex<PageTable> = Mutex::new(PageTable::EMPTY);
+        let motion = |e| {
+            let parameters = TopParameters {
+                transverse_inertia: 1.1e-6,
+                axial_inertia: 1e-6,
+                com_height: 1.0,
+                mass_moment: 1.0,
+                gravity: 1.0,
+                ..TopParameters::default()
+            };
+            let top = Top::sliding(&parameters).unwrap();
+            let signs = Signs { l_minus_n: Sign::Minus, ..Signs::default() };
+            let motion = Motion::from_branch_points(&top, e, signs, &InitialAngles::default());
+            TimedMotion::new(motion.unwrap())
+        };
+        let mut table = TABLE.lock().unwrap();
+        table.set_up(&motion([0.2, 1.0, 1.0])).unwrap();
+        assert!(table.error_bound()[0] < 1e-10);
+        table.set_up(&motion([-0.999_999, 0.999_999, 1.18])).unwrap_err();
+        assert_eq!((table.at(0.5).0, table.error_bound()), (Orientation::IDENTITY, [f64::INFINITY; 2]));
+    }
+}
