@@ -153,7 +153,7 @@ macro_rules! float_scalar {
         }
 
         impl Float for $float {
-            const OPERATION_ERROR: f64 = <$float>::EPSILON as f64 / 2.0;
+            const OPERATION_ERROR: f64 = <Self as Scalar>::ROUNDING;
 
             #[inline]
             fn from_f64(x: f64) -> Self {

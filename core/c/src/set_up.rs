@@ -48,6 +48,11 @@ pub struct toytop_settings {
     pub context: *mut c_void,
 }
 
+/// Truncation error; 0 stands for the default of the scalar.
+fn truncation_of<R: TableScalar>(given: f64) -> f64 {
+    if given == 0.0 { R::TRUNCATION } else { given }
+}
+
 /// Sets up a table in memory of the caller, which need not be initialised.
 ///
 /// # Safety
@@ -65,7 +70,7 @@ unsafe fn set_up<R: TableScalar>(
         unsafe { (empty_table::<R>(table, size)?, load(motion)?, read(settings)?) };
     let toytop_settings { tick, epoch, truncation, workspace, pause, context } = settings;
     let tick = Tick::ratio(tick.ticks, tick.seconds)?;
-    let settings = TableSettings { tick, epoch, truncation: (truncation != 0.0).then_some(truncation) };
+    let settings = TableSettings { tick, epoch, truncation: Some(truncation_of::<R>(truncation)) };
     // SAFETY: the caller guarantees that the pause may be called.
     let mut pause = unsafe { call_of(pause, context) };
     let mut set_up = |workspace: &mut Workspace| -> Result<(), Refusal> {
@@ -124,10 +129,10 @@ pub unsafe extern "C" fn [<toytop_ $name _set_up>](
 /// * `truncation`: allowed truncation error, rad; 0 stands for the default of the scalar
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn [<toytop_ $name _segments_needed>](motion: *const toytop_motion, truncation: f64) -> u32 {
+    let truncation = truncation_of::<$scalar>(truncation);
+    let needed = |motion| ([<$name:upper>].segments_needed)(&motion, truncation).ok();
     // SAFETY: the caller guarantees a valid pointer.
-    let motion = unsafe { load(motion) }.ok();
-    let truncation = if truncation == 0.0 { <$scalar>::TRUNCATION } else { truncation };
-    motion.and_then(|motion| ([<$name:upper>].segments_needed)(&motion, truncation).ok()).unwrap_or(0)
+    unsafe { load(motion) }.ok().and_then(needed).unwrap_or(0)
 }
 
     } };

@@ -173,10 +173,11 @@ impl Model {
     }
 
     /// Mean rates of change of l, n and h between two estimates that are `span` apart: 0 where that is 0, and NaN where an estimate has
-    /// no motion.
+    /// no state.
     pub(crate) fn mean_rates(&self, estimates: [&Estimate; 2], span: f64) -> Vector<f64> {
         let [before, after] = estimates.map(|estimate| {
-            let integrals = self.motion(estimate).map(|motion| motion.first_integrals());
+            let integrals = |top| Ok(FirstIntegrals::from_state(&top, &estimate.state()?));
+            let integrals = self.top_of(estimate).and_then(integrals);
             integrals.map_or([f64::NAN; 3], |FirstIntegrals { l, n, h, .. }| [l, n, h])
         });
         scaled(add_scaled(after, before, -1.0), if span > 0.0 { 1.0 / span } else { 0.0 })

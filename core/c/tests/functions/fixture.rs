@@ -90,8 +90,8 @@ pub(crate) fn constants_of(motion: &toytop_motion) -> toytop_constants {
 pub(crate) fn f64_table(motion: &toytop_motion) -> Box<toytop_table_f64> {
     let mut table = Box::<toytop_table_f64>::new_uninit();
     unsafe {
-        let (place, size) = (table.as_mut_ptr(), size_of::<toytop_table_f64>());
-        assert_eq!(toytop_f64_set_up(place, size, motion, &SETTINGS, null_mut()), TOYTOP_OK);
+        let place = table.as_mut_ptr();
+        assert_eq!(toytop_f64_set_up(place, TOYTOP_TABLE_F64_SIZE, motion, &SETTINGS, null_mut()), TOYTOP_OK);
         table.assume_init()
     }
 }

@@ -1,7 +1,7 @@
 //! Tests of the reading of a table: every quantity has the bits of the crate, and a cursor or sample of another table is refused.
 
 use crate::fixture::{SETTINGS, TOP, f64_table, launched, motion, numbers, output_of, table_of};
-use core::mem::{MaybeUninit, size_of};
+use core::mem::MaybeUninit;
 use core::ptr::null_mut;
 use toytop::{Complex, Events, Level, Phase};
 use toytop_c::toytop_status::*;
@@ -77,8 +77,8 @@ fn events_and_partial_derivatives_are_those_of_the_crate() {
 /// Table of the top of the tests in 32-bit fixed point, launched at tick `epoch`.
 fn set_up_q31(memory: &mut MaybeUninit<toytop_table_q31>, epoch: i64) -> *mut toytop_table_q31 {
     let (table, settings) = (memory.as_mut_ptr(), toytop_settings { epoch, ..SETTINGS });
-    let size = size_of::<toytop_table_q31>();
-    let status = unsafe { toytop_q31_set_up(table, size, &launched(&TOP), &settings, null_mut()) };
+    let status =
+        unsafe { toytop_q31_set_up(table, TOYTOP_TABLE_Q31_SIZE, &launched(&TOP), &settings, null_mut()) };
     assert_eq!(status, TOYTOP_OK);
     table
 }
@@ -117,6 +117,8 @@ fn a_refused_call_leaves_the_cursor_where_it_is() {
         let mut cursor = output_of(|to| toytop_q31_cursor(table, 107, to));
         assert_eq!(toytop_q31_next(table, &mut cursor, null_mut()), TOYTOP_NULL_POINTER);
         assert_eq!(output_of(|to| toytop_cursor_tick(&cursor, to)), 106);
+        output_of(|to| toytop_q31_next(table, &mut cursor, to));
+        assert_eq!(output_of(|to| toytop_cursor_tick(&cursor, to)), 107);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Tests of set-ups: a status for each error, and equal tables with and without a workspace and pauses.
 
 use crate::fixture::{SETTINGS, TOP, count, f32_size, launched, text};
-use core::mem::{MaybeUninit, size_of};
+use core::mem::MaybeUninit;
 use core::ptr::{null, null_mut};
 use toytop::SizedTable;
 use toytop_c::toytop_status::*;
@@ -13,7 +13,7 @@ fn each_refused_set_up_has_a_status() {
     let motion = &launched(&TOP);
     let mut words = [0_u64; TOYTOP_TABLE_F32_SIZE / 8];
     let table: *mut toytop_table_f32 = words.as_mut_ptr().cast();
-    let size = size_of::<toytop_table_f32>();
+    let size = TOYTOP_TABLE_F32_SIZE;
     let mut boxed = Box::<toytop_workspace>::new_uninit();
     let empty: toytop_motion = unsafe { MaybeUninit::zeroed().assume_init() };
     let settings = toytop_settings { workspace: boxed.as_mut_ptr(), ..SETTINGS };
@@ -93,7 +93,6 @@ fn the_segments_needed_are_enough() {
 #[test]
 fn a_workspace_and_pauses_do_not_change_a_table() {
     let motion = launched(&TOP);
-    let size = size_of::<toytop_table_f64>();
     for truncation in [0.0, 1e-4] {
         let on_stack = toytop_settings { epoch: 7, truncation, ..SETTINGS };
         let mut calls = 0_u32;
@@ -105,9 +104,12 @@ fn a_workspace_and_pauses_do_not_change_a_table() {
             ..on_stack
         };
         let [one, other] = [on_stack, with_pauses].map(|settings| {
-            let mut words = vec![0x5555_5555_5555_5555_u64; size / 8];
+            let mut words = vec![0x5555_5555_5555_5555_u64; TOYTOP_TABLE_F64_SIZE / 8];
             let table = words.as_mut_ptr().cast();
-            assert_eq!(unsafe { toytop_f64_set_up(table, size, &motion, &settings, null_mut()) }, TOYTOP_OK);
+            assert_eq!(
+                unsafe { toytop_f64_set_up(table, TOYTOP_TABLE_F64_SIZE, &motion, &settings, null_mut()) },
+                TOYTOP_OK
+            );
             words
         });
         assert!(calls > 30, "{calls} calls");

@@ -1,5 +1,6 @@
 //! Descending Landen transformation: Jacobi's functions sn, cn and dn without a transcendental function.
 
+use super::has_one_word;
 use crate::scalar::{Extended, Float};
 
 /// Fractions before division: sn² = sn_squared/(sn_squared + cn_squared), cn² likewise, and dn = dn/dn_denominator.
@@ -39,7 +40,7 @@ const LANDEN_STEPS: usize = 12;
 
 impl<F: Float> Landen<F> {
     /// Modulus whose transformation is negligible.
-    const MIN_MODULUS: f64 = if F::OPERATION_ERROR > 1e-30 { 2e-20 } else { 1e-33 };
+    const MIN_MODULUS: f64 = if has_one_word::<F>() { 2e-20 } else { 1e-33 };
 
     /// Sequence without steps.
     pub(super) const EMPTY: Self = {

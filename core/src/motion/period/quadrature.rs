@@ -1,8 +1,8 @@
 //! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`], where it converges geometrically at a known rate.
 
-use super::Period;
 use super::elliptic_equations::EllipticEquations;
 use super::landen::{Landen, MAX_NODES};
+use super::{Period, has_one_word};
 use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Float, Ring};
 
@@ -43,9 +43,9 @@ struct TrapezoidRule<'a, F> {
 
 impl<'a, F: Float> TrapezoidRule<'a, F> {
     /// Accuracy for which nodes are counted beforehand, bits. Few motions then need one more doubling.
-    const BITS: f64 = if F::OPERATION_ERROR > 1e-30 { 66.0 } else { 105.0 };
+    const BITS: f64 = if has_one_word::<F>() { 66.0 } else { 105.0 };
     /// Estimated relative error that ends the doublings.
-    const SETTLED: f64 = if F::OPERATION_ERROR > 1e-30 { 1e-17 } else { 1e-28 };
+    const SETTLED: f64 = if has_one_word::<F>() { 1e-17 } else { 1e-28 };
 
     /// Rule with the first nodes.
     #[inline(never)]

@@ -156,7 +156,8 @@ impl HalfPeriod {
                 path.rewind(position, start);
                 depth += 1;
             };
-            let Cell(entry) = Cell::new(self.segment_count, position >> (Cell::MAX_DEPTH - depth), depth);
+            let first = Interval { begin: position, depth };
+            let Cell(entry) = Cell::new(self.segment_count, first.number(), depth);
             self.cells
                 .iter_mut()
                 .skip(position / CELL_LENGTH)

@@ -48,6 +48,7 @@ struct PathEquations<F> {
 }
 
 impl<F: Float> PathEquations<F> {
+    /// Rates of χ, ψ_α, ψ_β, ρ_α and ρ_β, rad per half period.
     fn rates(&self, sine: f64, cosine: f64) -> [f64; 5] {
         let PhaseRates { chi, psi_alpha, psi_beta } =
             self.equations.rates(F::from_f64(sine), F::from_f64(cosine));

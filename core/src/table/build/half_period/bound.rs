@@ -65,7 +65,7 @@ mod tests {
     use crate::table::build::path::PathScratch;
     use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::TableScalar;
-    use crate::{Release, State, Top, TopParameters};
+    use crate::{Release, SizedTable, State, Tick, Top, TopParameters};
 
     /// Errors of the rates far above the rounding of the increments: the bound must contain each of them completely.
     #[test]
@@ -122,6 +122,27 @@ mod tests {
             let cell = format!("| {number:.2e} |");
             assert!(page.contains(&cell), "{cell}");
         }
+    }
+
+    /// Bound on the orientation error of that motion at tick 0 in each scalar, rounded up to two digits, on the page of the scalars.
+    #[test]
+    fn the_bounds_of_the_scalars_are_computed() {
+        fn check<R: TableScalar, const SEGMENTS: usize>() {
+            let top = Top::sliding(&TopParameters::TOY).unwrap();
+            let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() });
+            let motion = Motion::launch(&top, &state.unwrap()).unwrap();
+            let table = SizedTable::<R, SEGMENTS>::new(&motion, Tick::hertz(1000).unwrap()).unwrap();
+            let bound = table.error_bound().constant;
+            let unit = 10_f64.powi(bound.log10().floor() as i32 - 1);
+            let cell = format!("| {:.1e} |", (bound / unit).ceil() * unit);
+            assert!(include_str!("../../evaluation.rs").contains(&cell), "{cell}");
+        }
+        check::<f32, 25>();
+        check::<f64, 48>();
+        #[cfg(feature = "fixed")]
+        check::<fixed::types::I2F30, 32>();
+        #[cfg(feature = "fixed")]
+        check::<fixed::types::I2F14, 16>();
     }
 
     #[test]
