@@ -27,6 +27,12 @@ impl FreeRatio {
     /// Direction in which only gravity g changes.
     pub const GRAVITY: Self = Self::new([0.0, 0.0, 0.0, 1.0]);
 
+    /// Whether the direction is finite and not 0, and the deviation is positive.
+    pub(crate) fn is_valid(&self) -> bool {
+        let size: f64 = self.direction.iter().map(|x| x.abs()).sum();
+        size > 0.0 && size.is_finite() && self.deviation > 0.0
+    }
+
     /// Unknown without prior information.
     #[must_use]
     pub const fn new(direction: [f64; RATIOS]) -> Self {

@@ -48,10 +48,14 @@ impl<'a, F: Real> Fit<'a, F> {
     /// * `ratios`: unknown ratios of the top, at most four
     ///
     /// # Errors
-    /// [`FitError::TooManyUnknowns`]: more than four sensors or ratios. [`FitError::SensorNoise`]: a noise or a bias is out of range.
+    /// [`FitError::TooManyUnknowns`]: more than four sensors or ratios. [`FitError::SensorNoise`], [`FitError::FreeRatio`]: a number of a sensor or
+    /// of a ratio is out of range.
     pub fn new(top: &Top, sensors: &'a [&'a dyn Sensor<F>], ratios: &[FreeRatio]) -> Result<Self, FitError> {
         if let Some(sensor) = sensors.iter().position(|sensor| !sensor.noise().is_valid()) {
             return Err(FitError::SensorNoise { sensor });
+        }
+        if let Some(ratio) = ratios.iter().position(|ratio| !ratio.is_valid()) {
+            return Err(FitError::FreeRatio { ratio });
         }
         let model = Model::new(top, sensors, ratios, None).ok_or(FitError::TooManyUnknowns)?;
         Ok(Self::with_model(sensors, model, 3.0))
@@ -124,7 +128,7 @@ impl<'a, F: Real> Fit<'a, F> {
     ///
     /// # Errors
     /// The errors of [`Fit::run`]. [`FitError::OutOfOrder`]: the block is earlier than the last fit. [`FitError::LastFit`]: the motion of the last fit
-    /// cannot be followed to the block. [`FitError::OtherUnknowns`]: the last fit had other unknowns than this one. [`FitError::Deviation`]: the deviation
+    /// cannot be followed to the block. [`FitError::OtherModel`]: the last fit had another top or other unknowns. [`FitError::Deviation`]: the deviation
     /// is negative or not finite.
     pub fn track(
         &mut self,
@@ -136,7 +140,7 @@ impl<'a, F: Real> Fit<'a, F> {
             return Err(FitError::Deviation { parameter: "drift_deviation" });
         }
         if !self.model.has_unknowns_of(&last.model) {
-            return Err(FitError::OtherUnknowns);
+            return Err(FitError::OtherModel);
         }
         let block = Block::new(self.sensors, measurements)?;
         let [first, _] = block.times;

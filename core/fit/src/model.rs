@@ -92,10 +92,11 @@ impl Model {
         unknowns.take(self.motion_count).skip(LAUNCH_COLUMNS + self.free_count)
     }
 
-    /// Whether another model has the same unknowns, in the same order.
+    /// Whether another model is of the same top, and has the same unknowns in the same order.
     pub(crate) fn has_unknowns_of(&self, other: &Self) -> bool {
-        [self.free_count, self.motion_count] == [other.free_count, other.motion_count]
-            && self.free == other.free
+        self.top == other.top
+            && self.free() == other.free()
+            && self.motion_count == other.motion_count
             && self.biases == other.biases
     }
 

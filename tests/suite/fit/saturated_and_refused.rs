@@ -118,3 +118,14 @@ fn a_sensor_without_positive_noise_is_refused() {
         assert_eq!(refused, Some(FitError::SensorNoise { sensor: 1 }));
     }
 }
+
+#[test]
+fn a_ratio_without_a_direction_or_with_a_wrong_deviation_is_refused() {
+    let FreeRatio { direction, .. } = FreeRatio::GRAVITY;
+    let deviations = [0.0, -1.0, f64::NAN].map(|deviation| FreeRatio { direction, deviation });
+    let directions = [0.0, f64::NAN, f64::INFINITY].map(|x| FreeRatio::new([0.0, x, 0.0, 0.0]));
+    for wrong in deviations.into_iter().chain(directions) {
+        let refused = Fit::new(&toy(), &SENSORS, &[FreeRatio::GRAVITY, wrong]).err();
+        assert_eq!(refused, Some(FitError::FreeRatio { ratio: 1 }), "{wrong:?}");
+    }
+}

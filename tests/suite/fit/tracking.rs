@@ -1,7 +1,7 @@
 //! Measurements in blocks, and fits in single precision.
 
 use super::sensors::{
-    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, release,
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, held, readings, release,
 };
 use toytop::{Motion, State};
 use toytop_fit::{Fit, FitError, FreeRatio, Measurement, Sensitivity, Sensor};
@@ -38,11 +38,11 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
         assert_eq!(refused.err(), Some(FitError::Deviation { parameter: "drift_deviation" }), "{loss}");
     }
     let free = Fit::new(&top, &SENSORS, &[FreeRatio::GRAVITY]).unwrap();
-    for mut other in
-        [free, Fit::new(&top, &SENSORS[..1], &[]).unwrap(), fit.clone().with_losses(LOSS).unwrap()]
-    {
+    let one_sensor = Fit::new(&top, &SENSORS[..1], &[]).unwrap();
+    let other_top = Fit::new(&held(), &SENSORS, &[]).unwrap();
+    for mut other in [free, one_sensor, fit.clone().with_losses(LOSS).unwrap(), other_top] {
         let refused = other.track(&last, LOSS, second.iter().copied());
-        assert_eq!(refused.err(), Some(FitError::OtherUnknowns));
+        assert_eq!(refused.err(), Some(FitError::OtherModel));
     }
     let mut later = last;
     later.launch_time = 10.0;

@@ -30,10 +30,15 @@ pub enum FitError {
         /// Name of the parameter.
         parameter: &'static str,
     },
-    /// The last fit has other unknowns than this one.
-    OtherUnknowns,
+    /// The last fit has another top, or other unknowns, than this one.
+    OtherModel,
     /// The motion of the last fit cannot be followed to the first measurement.
     LastFit,
+    /// The direction of a free ratio is 0 or not finite, or its deviation is not positive.
+    FreeRatio {
+        /// Index of the ratio in the list.
+        ratio: usize,
+    },
     /// The deviation of a sensor's noise is not a positive number, or its bias has a negative or infinite deviation.
     SensorNoise {
         /// Index of the sensor in the list.
@@ -58,10 +63,13 @@ impl fmt::Display for FitError {
             Self::SensorNoise { sensor } => {
                 write!(f, "sensor {sensor}: its noise must be positive, and its bias not negative")
             }
+            Self::FreeRatio { ratio } => {
+                write!(f, "ratio {ratio}: its direction must be finite and not 0, and its deviation positive")
+            }
             Self::Deviation { parameter } => {
                 write!(f, "{parameter}: must be finite and positive, or 0 between two blocks")
             }
-            Self::OtherUnknowns => f.write_str("last fit: must have the same unknowns"),
+            Self::OtherModel => f.write_str("last fit: must have the same top and the same unknowns"),
             Self::LastFit => f.write_str("last fit: must be a motion that reaches the first measurement"),
         }
     }
