@@ -12,6 +12,8 @@ mod half_phase;
 
 mod launch;
 
+pub(crate) mod unrounded;
+
 pub use launch::InitialAngles;
 pub(crate) use launch_rounding::LaunchRounding;
 

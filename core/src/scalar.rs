@@ -23,10 +23,10 @@ mod numeric_struct;
 pub(crate) use numeric_struct::numeric_struct;
 pub(crate) use q30::Q30;
 #[cfg(feature = "fixed")]
-pub(crate) use sine::sine_cosine_q15;
+pub(crate) use sine::coarse_sine_cosine_q30;
 pub(crate) use sine::{
-    SINE_BITS, fraction_of_word, sine_cosine_f64, sine_cosine_of_phase, sine_cosine_of_radians,
-    sine_cosine_q26, sine_cosine_q31, sine_cosine_q57,
+    SINE_BITS, fraction_of_word, short_sine_cosine_q31, sine_cosine_f64, sine_cosine_of_phase,
+    sine_cosine_of_radians, sine_cosine_q31, sine_cosine_q57,
 };
 
 pub use wide::{Extended, Wide};

@@ -78,14 +78,13 @@ impl<R: Real> Stepper<R> {
             return;
         }
         let change = match self.variable {
-            Variable::None => Rates { variable: R::ZERO, psi_alpha: R::ZERO, psi_beta: R::ZERO },
+            Variable::None => PhaseRates::ZERO,
             Variable::Chi(chi) => {
                 let change = runge_kutta(dt, |delta| {
                     let (sine, cosine) = R::sine_cosine(chi + phase_from_radians(delta));
-                    let PhaseRates { chi, psi_alpha, psi_beta } = self.equations.rates(sine, cosine);
-                    Rates { variable: chi, psi_alpha, psi_beta }
+                    self.equations.rates(sine, cosine)
                 });
-                self.variable = Variable::Chi(chi + phase_from_radians(change.variable));
+                self.variable = Variable::Chi(chi + phase_from_radians(change.chi));
                 change
             }
             Variable::V(v) => {
@@ -93,10 +92,10 @@ impl<R: Real> Stepper<R> {
                 let at = |delta: R| v + delta.to_f64().clamp(f64::MIN, f64::MAX).into();
                 let change = runge_kutta(dt, |delta| {
                     let Complex { re: sech, im: tanh } = gudermannian(R::from_extended(at(delta)));
-                    let PhaseRates { psi_alpha, psi_beta, .. } = self.equations.rates(tanh, sech);
-                    Rates { variable: self.equations.aperiodic_rate(tanh, sech), psi_alpha, psi_beta }
+                    let v_rate = self.equations.aperiodic_rate(tanh, sech);
+                    PhaseRates { chi: v_rate, ..self.equations.rates(tanh, sech) }
                 });
-                self.variable = Variable::V(at(change.variable));
+                self.variable = Variable::V(at(change.chi));
                 change
             }
         };
@@ -194,27 +193,20 @@ impl<R: Real> Stepper<R> {
     }
 }
 
-/// Rates, or changes over a step, of the variable χ (v of an aperiodic motion) and of ψ_α and ψ_β, which follow from it.
-struct Rates<R> {
-    variable: R,
-    psi_alpha: R,
-    psi_beta: R,
-}
-
-/// Changes over dt by a Runge-Kutta step of order 4.
+/// Changes over dt by a Runge-Kutta step of order 4. Instead of χ, the first phase may be v.
 ///
-/// * `rates`: rates after a change of the variable
-fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> Rates<R>) -> Rates<R> {
+/// * `rates`: rates after a change of the first phase
+fn runge_kutta<R: Real>(dt: R, rates: impl Fn(R) -> PhaseRates<R>) -> PhaseRates<R> {
     let half = dt.halved();
     let k1 = rates(R::ZERO);
-    let k2 = rates(k1.variable * half);
-    let k3 = rates(k2.variable * half);
-    let k4 = rates(k3.variable * dt);
+    let k2 = rates(k1.chi * half);
+    let k3 = rates(k2.chi * half);
+    let k4 = rates(k3.chi * dt);
     let sixth = dt * R::from_f64(1.0 / 6.0);
     let change =
-        |part: fn(&Rates<R>) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
-    Rates {
-        variable: change(|k| k.variable),
+        |part: fn(&PhaseRates<R>) -> R| (part(&k1) + (part(&k2) + part(&k3)).doubled() + part(&k4)) * sixth;
+    PhaseRates {
+        chi: change(|k| k.chi),
         psi_alpha: change(|k| k.psi_alpha),
         psi_beta: change(|k| k.psi_beta),
     }

@@ -105,8 +105,8 @@ pub const TIP_ANGLE_Q31: f64 = 6e-9;
 pub const TIP_ANGLE_Q15: f64 = 3e-4;
 
 // table/truth.rs
-pub const TRUTH_F64: [f64; 8] = [1e-14, 1e-14, 1e-14, 1e-14, 2e-15, 1e-14, 2e-15, 2e-15];
-pub const TRUTH_F32: [f64; 8] = [2.5e-7, 2.5e-7, 2.5e-7, 2.5e-7, 1e-7, 2e-5, 2e-7, 2e-7];
+pub const TRUTH_F64: [f64; 8] = [2e-15, 2e-15, 2e-15, 2e-15, 2e-15, 1e-14, 2e-15, 2e-15];
+pub const TRUTH_F32: [f64; 8] = [2e-7, 2e-7, 2e-7, 2e-7, 1e-7, 2e-5, 2e-7, 2e-7];
 pub const TRUTH_Q31: [f64; 8] = [1e-8, 1e-8, 1e-8, 1e-8, 2e-8, 1e-6, 2e-7, 4e-8];
 pub const TRUTH_Q15: [f64; 8] = [3e-4, 3e-4, 3e-4, 3e-4, 3e-4, 3e-3, 1e-3, 1e-3];
 pub const TRUTH_OF_EVERY_VECTOR: [f64; 2] = [1e-11, 1e-8];

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "throw.h"
+#include "release.h"
 
 static toytop_table_f32 in_f32;
 static toytop_table_f64 in_f64;
@@ -78,7 +78,7 @@ int main(void) {
     toytop_error error;
     toytop_state state;
     toytop_sample at_the_stroke;
-    if (toytop_state_from_release(&throw_of_20_degrees, &state, &error) != TOYTOP_OK) return refused(&error);
+    if (toytop_state_from_release(&release_at_20_degrees, &state, &error) != TOYTOP_OK) return refused(&error);
     if (follow(&state) != 0) return 1;
 
     /* struck at tick 100 */

@@ -27,7 +27,7 @@
 // Support of a tip that is held at a point: the Lagrange top.
 #define TOYTOP_FIXED 1
 
-// No support: a body that is thrown, floats or is in orbit.
+// No support: a body that is released, floats or is in orbit.
 #define TOYTOP_FREE 2
 
 // Standard gravity, m/s^2.
@@ -293,8 +293,8 @@ typedef struct toytop_error_bounds {
 
 // Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 //
-// A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses it, and so does its own table
-// until 65 536 set-ups later.
+// A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses it, and so does its own table after the next
+// set-up. The count of set-ups repeats after 65 536.
 typedef struct toytop_cursor {
   uint64_t opaque[8];
 } toytop_cursor;

@@ -2,7 +2,7 @@
 //!
 //! By partial fractions of s u''/g
 //!
-//! N = (F₊/(e₄ - u)² + F₋/(e₄ + u)²)/2e₄ with F± = (e₄ ∓ e₁)(e₄ ∓ e₂)(±e₄ - e₃)(±1).
+//! N = (F₊/(e₄ - u)² + F₋/(e₄ + u)²)/2e₄ with F± = (e₄ ∓ e₁)(e₄ ∓ e₂)(e₄ ∓ e₃).
 //!
 //! If e₃ >= e₄, then F₊ <= 0, and N is least at e₂; it is 0 at (e₄ - u)/(e₄ + u) = √(-F₊/F₋). If e₃ < e₄, then N is convex, with the
 //! minimum ((∛F₊ + ∛F₋)/2e₄)³ at (e₄ - u)/(e₄ + u) = ∛(F₊/F₋).

@@ -10,10 +10,10 @@ use crate::scalar::{Extended, Float, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// -1 < e₁ = e₂ < 1 and |l| < |n|: a regular precession, of a fast top the slower of two. A change of the tilt below 2^-49 rad, as by
-    /// roundings of a state, counts as none.
+    /// -1 < e₁ = e₂ < 1 and |l| < |n|: a regular precession; a fast top has two, and this is the slower one. A tilt that changes by less than 2^-49 rad
+    /// counts as constant, because roundings of a state change it that much.
     SlowPrecession,
-    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: a regular precession, of a fast top the faster of two.
+    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: a regular precession; a fast top has two, and this is the faster one.
     FastPrecession,
     /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
     SleepingStable,

@@ -111,7 +111,7 @@ impl<R: Ring> Ellipse<R> {
 }
 
 impl<F: Float> Ellipse<F> {
-    /// Least-squares fit of e^{iλ} to a parameter z and its rate, up to a positive factor, with the rates of χ and λ.
+    /// Number r e^{iλ} with r > 0, whose λ fits a parameter z and its rate best in the sense of least squares. The rates of χ and λ are given.
     pub fn slow_phase(
         &self,
         cis_chi: Complex<F>,

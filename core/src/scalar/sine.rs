@@ -2,7 +2,7 @@
 //!
 //! | function | argument | result |
 //! |---|---|---|
-//! | `sine_cosine_q31`, `q26`, `q15` | phase of 32 bits | integers, from points of the circle |
+//! | `sine_cosine_q31`, and two that are shorter | phase of 32 bits | integers, from points of the circle |
 //! | `sine_cosine_f64` | phase of 64 bits | `f64`, from polynomials |
 //! | `sine_cosine_of_phase`, `of_radians` | phase of 96 bits, angle | `f64`, relatively exact, from the same polynomials |
 //! | `sine_cosine_q57` | phase of 96 bits | integers, from power series |
@@ -25,9 +25,9 @@ use core::ops::Neg;
 pub use chebyshev::{COSINE, SINE};
 pub(crate) use chebyshev::{fraction_of_word, sine_cosine_f64, sine_cosine_of_phase, sine_cosine_of_radians};
 #[cfg(feature = "fixed")]
-pub(crate) use points::sine_cosine_q15;
-pub use points::{CUBIC, LINEAR, SINE_Q26, SINES, VERSINE};
-pub(crate) use points::{sine_cosine_q26, sine_cosine_q31};
+pub(crate) use points::coarse_sine_cosine_q30;
+pub use points::{CUBIC, LINEAR, SINES, SMALL_SINE, VERSINE};
+pub(crate) use points::{short_sine_cosine_q31, sine_cosine_q31};
 pub(crate) use q57::{SINE_BITS, sine_cosine_q57};
 
 /// Sine and cosine of an angle that is larger by quarter turns.
@@ -81,9 +81,9 @@ mod tests {
                 worst.max(miss(sine, truth.0)).max(miss(cosine, truth.1))
             })
         };
-        let (long, short) = (units(sine_cosine_q31), units(sine_cosine_q26));
+        let (long, short) = (units(sine_cosine_q31), units(short_sine_cosine_q31));
         assert!((1.5..2.4).contains(&long), "q31: {long} units");
-        assert!((20.0..25.0).contains(&short), "q26: {short} units");
+        assert!((20.0..25.0).contains(&short), "short: {short} units");
         let double = worst::<f64>();
         assert!((1e-16..2e-16).contains(&double), "f64: {double:e}");
     }

@@ -14,7 +14,7 @@ use core::mem::replace;
 /// Number ±s · 2^exponent with a significand s in [1/2, 1) of `WORDS` words. The relative error of an operation is at most
 /// 1.1 · 2^(-64 WORDS).
 ///
-/// Infinity and NaN become 0. A quotient by 0 is larger than every `f64`.
+/// Infinity and NaN become 0. A quotient by 0 is 0 for 0, and otherwise larger in size than every `f64`.
 #[derive(Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Wide<const WORDS: usize> {

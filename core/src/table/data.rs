@@ -4,7 +4,7 @@ pub(super) mod cell;
 
 mod tick;
 
-mod phases;
+pub(super) mod phases;
 
 mod clock;
 

@@ -3,7 +3,7 @@
  * Two tables take turns. The interrupt reads the one that `current` points to; the main loop sets up the other one and then changes
  * `current`, which is one word. The interrupt makes its cursor again when it sees the change. Launch and set-up call
  * `count`, which could feed a watchdog. */
-#include "../throw.h"
+#include "../release.h"
 #include "chip.h"
 
 static toytop_table_f32 tables[2];
@@ -72,7 +72,7 @@ int main(void) {
     static toytop_error error;
     static toytop_state state;
     toytop_sample at_the_stroke;
-    stop_if(toytop_state_from_release(&throw_of_20_degrees, &state, &error), &error);
+    stop_if(toytop_state_from_release(&release_at_20_degrees, &state, &error), &error);
     set_up(&tables[0], &state, 0);
     current = &tables[0];
     start_systick(25000000u / 1000u);

@@ -14,7 +14,7 @@ impl BranchPoints {
         let [l, n, h] =
             [check_finite("l", l)?, check_finite("n", n)?, check_finite("h", h)?].map(Extended::from);
         let integrals = FirstIntegrals { l, n, h, spin: top.spin(n), l_plus_n: l + n, l_minus_n: l - n };
-        let point = point_of_greatest_cubic(top, &integrals).ok_or(ParameterError::OutOfRange {
+        let point = fastest_point(top, &integrals).ok_or(ParameterError::OutOfRange {
             parameter: "h",
             allowed: "the energy of some motion with these l and n (it is too low)",
         })?;
@@ -48,7 +48,7 @@ impl BranchPoints<Extended> {
 }
 
 /// Point at which (e₄² - u²) u'² is greatest; `None` where no motion has these integrals.
-fn point_of_greatest_cubic(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
+fn fastest_point(top: &Top, integrals: &FirstIntegrals<Extended>) -> Option<ReducedPoint> {
     /// Relative tolerance for the `f64` roundings of l, n and h.
     const INTEGRAL_ROUNDING: f64 = 1e-15;
     let zero = Extended::ZERO;

@@ -38,7 +38,7 @@ pub const CUBIC: i32 = (DISTANCE * DISTANCE * DISTANCE / 6.0 * (1_u64 << 32) as 
 /// Coefficient of the versine d²/2, times 2^30. The next term, d⁴/24, is an eighth of a unit.
 pub const VERSINE: i32 = (DISTANCE * DISTANCE / 2.0 * (1_u64 << 30) as f64 + 0.5) as i32;
 /// Coefficient of d (1 - d²/8), times 2^33. It replaces d - d³/6 where 26 bits are enough.
-pub const SINE_Q26: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
+pub const SMALL_SINE: i32 = (DISTANCE * (1.0 - DISTANCE * DISTANCE / 8.0) * (1_u64 << 33) as f64) as i32;
 
 /// (sin 2πx, cos 2πx)·2^31 of the 32 leading bits of a phase. Error: below 2.45 units, 1.2e-9.
 ///
@@ -59,10 +59,10 @@ pub(crate) fn sine_cosine_q31(phase: u32) -> (i32, i32) {
 
 /// [`sine_cosine_q31`] for conversion to `f32`. Error: below 25 units, 1.2e-8.
 #[inline(always)]
-pub(crate) fn sine_cosine_q26(phase: u32) -> (i32, i32) {
+pub(crate) fn short_sine_cosine_q31(phase: u32) -> (i32, i32) {
     let (sine, cosine) = point(phase);
     // 32 fraction bits
-    let small_sine = high_product((phase << 9) as i32, SINE_Q26);
+    let small_sine = high_product((phase << 9) as i32, SMALL_SINE);
     let versine = high_product(small_sine, small_sine >> 1);
     (
         sine - high_product(sine, versine) + high_product(cosine, small_sine),
@@ -70,11 +70,10 @@ pub(crate) fn sine_cosine_q26(phase: u32) -> (i32, i32) {
     )
 }
 
-/// (sin 2πx, cos 2πx)·2^30 as [`sine_cosine_q31`], by 16-bit products only. Error: below 2.2e-5. A point is moved along its tangent, so that
-/// results may exceed 1.
+/// (sin 2πx, cos 2πx)·2^30, by 16-bit products only. Error: below 2.2e-5. A point is moved along its tangent, so that results may exceed 1.
 #[cfg(feature = "fixed")]
 #[inline(always)]
-pub(crate) fn sine_cosine_q15(phase: u32) -> (i32, i32) {
+pub(crate) fn coarse_sine_cosine_q30(phase: u32) -> (i32, i32) {
     /// Coefficient of d, times 2^22.
     const LINEAR: i32 = (DISTANCE * (1 << 22) as f64) as i32;
     let (sine, cosine) = point(phase);

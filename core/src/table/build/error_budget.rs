@@ -11,8 +11,8 @@ const TERMS_FRACTION: f32 = 1.0 / 256.0;
 /// Part of a segment's share that a segment of two cells may use.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
-/// Factor of the term of a rate at which its series may end: factor · half length of the span · share of dropped terms. The integral of a last
-/// term over a step is some hundred times smaller, so that the step uses a small part of its share.
+/// Factor of the limit below which a term ends the series of a rate: factor · half length of the span · allowed error of dropped terms. The integral
+/// of such a term over the span is some hundred times smaller than the limit.
 const LAST_TERM_FACTOR: f64 = 512.0;
 
 /// Allowed errors of the parts of a table.

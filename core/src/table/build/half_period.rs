@@ -7,9 +7,8 @@
 //! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
 //! ```
 //!
-//! All segments of a cell have one length. A cell is first tried with segments twice as long as those of the cell before, which are then halved
-//! until their error is allowed.
-//! A segment does not cross the ends of a span.
+//! All segments of a cell have one length. The first attempt at a cell has segments twice as long as those of the cell before. They are halved until
+//! their error is small enough. A segment does not cross the ends of a span.
 
 mod stored_segment;
 

@@ -4,7 +4,8 @@ use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
-use crate::table::data::cell::{MIN_SEGMENTS, is_falling};
+use crate::table::data::cell::MIN_SEGMENTS;
+use crate::table::data::phases::is_falling;
 use crate::table::data::{Clock, Phases, Table, Tick};
 use crate::table::evaluation::TableScalar;
 

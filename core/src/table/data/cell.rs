@@ -17,11 +17,6 @@ pub const MAX_SEGMENTS: usize = 1 << (u16::BITS - DEPTH_BITS);
 /// Number of segments in half a period at the least depth, and least number of a table.
 pub const MIN_SEGMENTS: usize = 1 << MIN_DEPTH;
 
-/// Whether u falls at a nutation phase, given by its 64 leading bits.
-pub(crate) fn is_falling(nutation: u64) -> bool {
-    (nutation as i64) < 0
-}
-
 /// Entry of a cell. Segment i of half a period at its depth is number (m + i) modulo 4096 of the table.
 ///
 /// ```text

@@ -8,6 +8,11 @@ pub(crate) struct Phases<T> {
     pub(crate) beta: T,
 }
 
+/// Whether u falls at a nutation phase, given by its 64 leading bits.
+pub(in crate::table) const fn is_falling(nutation: u64) -> bool {
+    (nutation as i64) < 0
+}
+
 impl<T> Phases<T> {
     /// Numbers from an array of a [`Clock`](crate::Clock).
     #[inline(always)]

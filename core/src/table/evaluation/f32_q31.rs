@@ -6,7 +6,7 @@
 
 use crate::complex::Complex;
 use crate::integer::{high_product, shifted_right};
-use crate::scalar::{Q30, Scalar, Wide, sine_cosine_q26};
+use crate::scalar::{Q30, Scalar, Wide, short_sine_cosine_q31};
 use crate::su2::Vector;
 use crate::table::evaluation::omega_q30::omega_body;
 use crate::table::evaluation::rounding::{TABLE_BITS, sums_fit};
@@ -52,7 +52,7 @@ impl TableScalar for f32 {
 
     #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
-        sine_cosine_q26((phase >> 32) as u32).into()
+        short_sine_cosine_q31((phase >> 32) as u32).into()
     }
 }
 

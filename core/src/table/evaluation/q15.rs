@@ -2,7 +2,7 @@
 
 use crate::complex::Complex;
 use crate::integer::shifted_right;
-use crate::scalar::{Q30, Wide, sine_cosine_q15};
+use crate::scalar::{Q30, Wide, coarse_sine_cosine_q30};
 use crate::su2::Vector;
 use crate::table::evaluation::f32_q31::{COORDINATE_ERROR, ERRORS_Q30};
 use crate::table::evaluation::omega_q30::omega_body;
@@ -42,7 +42,7 @@ impl TableScalar for I2F14 {
 
     #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
-        let (sine, cosine) = sine_cosine_q15((phase >> 32) as u32);
+        let (sine, cosine) = coarse_sine_cosine_q30((phase >> 32) as u32);
         [sine >> 15, cosine >> 15]
     }
 }

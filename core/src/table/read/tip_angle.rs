@@ -7,7 +7,7 @@ use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::table::data::Phases;
 use crate::table::data::Table;
-use crate::table::data::cell::is_falling;
+use crate::table::data::phases::is_falling;
 use crate::table::evaluation::{TableScalar, a_b_at_centre, tabulated_a_b};
 use crate::table::read::located_segment::LocatedSegment;
 use crate::table::read::sample::Sample;

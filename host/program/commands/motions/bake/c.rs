@@ -5,7 +5,7 @@
 //! in double precision). The value of the include guard of a table is its checksum, so that another table of the same name is an error.
 
 use super::TableTitle;
-use toytop::internal::{COSINE, CUBIC, LINEAR, SINE, SINE_Q26, SINES, VERSINE};
+use toytop::internal::{COSINE, CUBIC, LINEAR, SINE, SINES, SMALL_SINE, VERSINE};
 use toytop::scalar::Float;
 use toytop::{Baked, ErrorBound, Table, TableScalar};
 use toytop_host::motion::Scalar;
@@ -163,7 +163,7 @@ fn points() -> String {
     let count = SINES.len();
     format!(
         "#define TOYTOP_LINEAR {LINEAR}\n#define TOYTOP_CUBIC {CUBIC}\n#define TOYTOP_VERSINE {VERSINE}\n\
-         #define TOYTOP_SECANT {SINE_Q26}\n\
+         #define TOYTOP_SECANT {SMALL_SINE}\n\
          /* 2^31 sin of 0, 1/512, ... turns, at most 2^31 - 1; a quarter turn on is the cosine. */\n\
          static const int32_t toytop_sines[{count}] = {{\n{rows}}};\n"
     )

@@ -1,6 +1,6 @@
-/* What the examples throw: the top of host/scenarios/toy_top.toml. */
-#ifndef THROW_H
-#define THROW_H
+/* Top and release of the examples: those of host/scenarios/toy_top.toml. */
+#ifndef RELEASE_H
+#define RELEASE_H
 #include "toytop.h"
 
 static const toytop_top top = {
@@ -8,7 +8,7 @@ static const toytop_top top = {
 };
 
 /* 20 degrees, as the scenario has them in rad; 150 rad/s about the axis. */
-static const toytop_release throw_of_20_degrees = {20.0 * 0.017453292519943295, 0.0, 0.0, 150.0, 0.0, 0.0};
+static const toytop_release release_at_20_degrees = {20.0 * 0.017453292519943295, 0.0, 0.0, 150.0, 0.0, 0.0};
 
 /* A stroke of 2 mN s on the rim, 25 mm from the axis, at the height of the centre of mass. */
 static const double impulse[3] = {0.0, 2.0e-3, 0.0}, point[3] = {0.025, 0.0, 0.03};
