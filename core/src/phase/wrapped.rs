@@ -39,8 +39,9 @@ impl WrappedPhase {
         Phase::from_bits(((upper as i128) << 64) | self.lower() as i128)
     }
 
+    /// Lower 64 bits.
     #[inline(always)]
-    const fn lower(self) -> u64 {
+    pub(crate) const fn lower(self) -> u64 {
         let [low, middle, _] = self.words;
         ((middle as u64) << 32) | low as u64
     }

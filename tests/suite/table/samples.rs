@@ -56,6 +56,15 @@ fn a_cursor_agrees_over_ten_million_ticks() {
     }
 }
 
+#[test]
+#[should_panic(expected = "a cursor belongs to the table that made it")]
+#[cfg(debug_assertions)]
+fn a_cursor_of_another_table_panics_in_a_debug_build() {
+    let [slow, fast] =
+        [1000, 2000].map(|hertz| TableF32::new(&generic(), Tick::hertz(hertz).unwrap()).unwrap());
+    let _ = slow.cursor(0).next(&fast);
+}
+
 /// Whole seconds are whole ticks of 2/44100 s.
 #[test]
 fn a_whole_second_is_a_whole_number_of_ticks() {

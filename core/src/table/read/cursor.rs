@@ -9,7 +9,7 @@ use crate::table::read::sample::Sample;
 use core::marker::PhantomData;
 
 /// Phases of consecutive ticks of one table, by three additions each. Pass that table to [`Cursor::next`]: a table of another scalar does
-/// not compile.
+/// not compile, and another table of the same scalar panics in builds with debug assertions.
 ///
 /// ```compile_fail,E0308
 /// # use toytop::Table;
@@ -31,10 +31,11 @@ pub struct Cursor<R> {
 }
 
 impl<R: TableScalar> Cursor<R> {
-    /// Sample of the next tick of the table that made the cursor; another table gives a wrong orientation. The sequence has no end
-    /// and cannot fail.
+    /// Sample of the next tick of the table that made the cursor; without debug assertions, another table gives a wrong orientation. The
+    /// sequence has no end.
     #[inline(always)]
     pub fn next<'a>(&mut self, table: &'a Table<R>) -> Sample<'a, R> {
+        debug_assert!(self.is_of(table), "a cursor belongs to the table that made it");
         self.phases.update(table.clock.steps(), WrappedPhase::plus);
         let (low, carry) = self.low.overflowing_add(1);
         self.low = low;
@@ -43,6 +44,12 @@ impl<R: TableScalar> Cursor<R> {
         }
         let phases = self.phases.map(WrappedPhase::leading_bits);
         Sample { table, phases, tick: self.tick().into(), fraction: Phase::ZERO }
+    }
+
+    /// Whether the phases are those of this table at the tick of the cursor. The lower bits are those of a wrapped tick number, too.
+    fn is_of(&self, table: &Table<R>) -> bool {
+        self.phases.map(WrappedPhase::lower)
+            == table.clock.phases_at_tick(self.tick()).map(WrappedPhase::lower)
     }
 
     /// Tick of the last sample, or the one before the first sample. It wraps after 2^63 - 1.

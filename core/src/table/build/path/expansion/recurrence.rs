@@ -1,4 +1,8 @@
 //! Coefficients of an expansion, one after another.
+//!
+//! The coefficients of sin χ and cos χ up to yᵏ give the k-th one of v, and by v those of η, δ, ξ, μ, κ and σ, in this order. With ξ, the rate of χ is known up to
+//! yᵏ, and it gives coefficient k + 1 of sin χ and cos χ. A product of series is a sum over earlier coefficients. `prepare` chooses the unit of each
+//! series, and computes the constant factors between these units.
 
 use super::{Expansion, ExpansionPoint, MAX_TERMS, NOISE, PowerSeries, RateSeries};
 use crate::integer::to_units;
