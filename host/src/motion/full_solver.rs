@@ -1,5 +1,5 @@
-//! Full solver: step-by-step integration of the three-dimensional equations of motion. It shares no formula with the core, from which
-//! only the state at t = 0 of branch points comes.
+//! Full solver: step-by-step integration of the three-dimensional equations of motion. From the core it takes products of vectors and
+//! the state at t = 0 of branch points and releases; the equations and their integration are its own.
 //!
 //! The integrator is Verner's 9(8) pair from `differential-equations`, called for one step at a time, so that the last step ends exactly at
 //! the requested time without dense output. Three measures limit the rounding to a single operation per step:

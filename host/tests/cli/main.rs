@@ -1,4 +1,5 @@
-//! Tests of the command line: exit codes, stdout, stderr, JSON.
+//! Tests of the commands: their output, files, refusals and exit codes; the code in C and in Rust that they write; their
+//! pages, in Chromium; and the scripts that their results are compared with.
 
 mod command;
 mod readme;

@@ -51,7 +51,7 @@ const ON_HOST: &[Step] = &[
     only_with_all("coverage", &[COVERAGE], checks::coverage),
 ];
 
-/// Steps of the programs for the chips. The last steps need a build of the host.
+/// Steps of the programs for the chips.
 const ON_CHIPS: &[Step] = &[
     every_change("bits", &[CHIPS, QEMU], firmware::bits),
     every_change("no-panic", &[CHIPS], firmware::no_panic),

@@ -213,7 +213,7 @@ class Top:
 
     @property
     def e4(self) -> float | None:
-        """Branch point e4 = sqrt(1 + A/(p s)); None for a fixed tip."""
+        """Branch point e4 = sqrt(1 + A/(p s)); None for a fixed tip and for a free body."""
         return self._core.e4()
 
     def __repr__(self) -> str:
