@@ -1,7 +1,7 @@
 """A Lie-group integrator without a library: the commutator-free method of fourth order by Celledoni, Marthinsen and Owren, which
 turns the quaternion by exponentials only. Four step sizes: python3 lie_group.py toytop SCENARIO SECONDS FOLDER"""
 import math, sys
-from top import Top, dot
+from top import dot, read
 
 
 def turned(omega, quaternion):
@@ -17,25 +17,30 @@ def mixed(h, *terms):
     return [h * sum(factor * vector[i] for factor, vector in terms) for i in range(3)]
 
 
-def step(top, h, state):
+def step(equations, h, state):
+    """State a step of h seconds later."""
     q, m = state[:4], state[4:]
     moved = lambda change: [i + j for i, j in zip(m, change)]
-    w1, f1 = top.rates(state)
+    w1, f1 = equations.rates(state)
     second = turned(mixed(h, (0.5, w1)), q)
-    w2, f2 = top.rates(second + moved(mixed(h, (0.5, f1))))
-    w3, f3 = top.rates(turned(mixed(h, (0.5, w2)), q) + moved(mixed(h, (0.5, f2))))
-    w4, f4 = top.rates(turned(mixed(h, (1.0, w3), (-0.5, w1)), second) + moved(mixed(h, (1.0, f3))))
+    w2, f2 = equations.rates(second + moved(mixed(h, (0.5, f1))))
+    w3, f3 = equations.rates(turned(mixed(h, (0.5, w2)), q) + moved(mixed(h, (0.5, f2))))
+    w4, f4 = equations.rates(turned(mixed(h, (1.0, w3), (-0.5, w1)), second) + moved(mixed(h, (1.0, f3))))
     first = turned(mixed(h / 12, (3, w1), (2, w2), (2, w3), (-1, w4)), q)
     last = turned(mixed(h / 12, (-1, w1), (2, w2), (2, w3), (3, w4)), first)
     return last + moved(mixed(h / 6, (1, f1), (2, f2), (2, f3), (1, f4)))
 
 
-program, scenario, seconds, folder = sys.argv[1:]
-top, seconds = Top(program, scenario), float(seconds)
-for steps in (1000, 2000, 4000, 8000):
-    h, states = seconds / steps, [top.start]
-    for _ in range(steps):
-        states.append(step(top, h, states[-1]))
-    apart = steps // 1000
-    top.write(f"{folder}/lie_group_{steps}.csv", [h * i for i in range(0, steps + 1, apart)], states[::apart],
-              method="Lie group", step=h, evaluations=4 * steps)
+def main(program, scenario, seconds, folder):
+    (equations, start), seconds = read(program, scenario), float(seconds)
+    for steps in (1000, 2000, 4000, 8000):
+        h, states = seconds / steps, [start]
+        for _ in range(steps):
+            states.append(step(equations, h, states[-1]))
+        stride = steps // 1000
+        equations.write(f"{folder}/lie_group_{steps}.csv", [h * i for i in range(0, steps + 1, stride)], states[::stride],
+                        method="Lie group", step=h, evaluations=4 * steps)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -1,4 +1,4 @@
-"""The top of a scenario for an integrator: equations, start, and the file that `toytop score` reads.
+"""Newton's and Euler's equations of a top for integrators, without a formula of toytop, and the files that `toytop score` reads.
 
 The state is a unit quaternion w, x, y, z from body to fixed coordinates and the momentum m of the paper:
 
@@ -7,25 +7,21 @@ The state is a unit quaternion w, x, y, z from body to fixed coordinates and the
 import json, subprocess, tomllib
 
 
-class Top:
-    def __init__(self, program, scenario):
-        with open(scenario, "rb") as file:
-            keys = tomllib.load(file)["top"]
-        self.a, self.c, self.g = keys["transverse_inertia"], keys["axial_inertia"], keys.get("gravity", 9.80665)
-        self.p = keys["mass_moment"] if "mass_moment" in keys else keys["mass"] * keys["com_height"]
-        self.s = 0.0 if keys.get("support") == "fixed" else keys["com_height"]
-        answer = subprocess.check_output([program, "state", scenario, "--times", "0", "--format", "json"])
-        sample = json.loads(answer)["samples"][0]
-        alpha, beta, omega = sample["alpha"], sample["beta"], sample["omega"]
-        w, x, y, z = alpha[0], beta[1], -beta[0], alpha[1]
-        r, q = self.axis(w, x, y, z)
-        axial, rise = (self.c - self.a) * dot(omega, r), self.p * self.s * dot(omega, q)
-        self.start = [w, x, y, z] + [self.a * o + axial * i + rise * j for o, i, j in zip(omega, r, q)]
+class Equations:
+    def __init__(self, a, c, p, s, g):
+        """Moments of inertia A and C, mass moment p, distance s from a sliding tip to the centre of mass (0 without one), gravity g."""
+        self.a, self.c, self.p, self.s, self.g = a, c, p, s, g
 
     def axis(self, w, x, y, z):
         """r and q = r x k."""
         r = [2 * (x * z + w * y), 2 * (y * z - w * x), w * w - x * x - y * y + z * z]
         return r, [r[1], -r[0], 0.0]
+
+    def state(self, quaternion, omega):
+        """State of an orientation and an angular velocity in the fixed frame."""
+        r, q = self.axis(*quaternion)
+        axial, rise = (self.c - self.a) * dot(omega, r), self.p * self.s * dot(omega, q)
+        return [*quaternion, *(self.a * o + axial * i + rise * j for o, i, j in zip(omega, r, q))]
 
     def rates(self, state):
         """ω in the fixed frame and m', by sums and products only, so that they also take symbols."""
@@ -35,7 +31,7 @@ class Top:
         across = [omega[1] * r[2] - omega[2] * r[1], omega[2] * r[0] - omega[0] * r[2]]
         return omega, [ps * rise * across[1] - self.p * self.g * q[0], -ps * rise * across[0] - self.p * self.g * q[1], 0.0 * m[2]]
 
-    def equations(self, _, state):
+    def slope(self, _, state):
         """Time derivative of the seven numbers."""
         (w, x, y, z), ((a, b, c), moment) = state[:4], self.rates(state)
         turn = [-a * x - b * y - c * z, a * w + b * z - c * y, b * w + c * x - a * z, c * w + a * y - b * x]
@@ -49,6 +45,25 @@ class Top:
             for t, state in zip(times, states):
                 state = [float(number) for number in state]
                 file.write(",".join(map(repr, [float(t), *state[:4], *self.rates(state)[0]])) + "\n")
+
+
+def exact(program, scenario, times):
+    """Quaternion and angular velocity at each time, as toytop computes them."""
+    words = [program, "state", scenario, "--times", ",".join(map(str, times)), "--format", "json"]
+    for sample in json.loads(subprocess.check_output(words))["samples"]:
+        (w, z), (minus_y, x) = sample["alpha"], sample["beta"]
+        yield [w, x, -minus_y, z], sample["omega"]
+
+
+def read(program, scenario):
+    """Equations of a scenario's top, and its state at t = 0."""
+    with open(scenario, "rb") as file:
+        keys = tomllib.load(file)["top"]
+    support, height = keys.get("support"), keys.get("com_height", 0.0)
+    p = 0.0 if support == "free" else keys["mass_moment"] if "mass_moment" in keys else keys["mass"] * height
+    s = height if support in (None, "sliding") else 0.0
+    equations = Equations(keys["transverse_inertia"], keys["axial_inertia"], p, s, keys.get("gravity", 9.80665))
+    return equations, equations.state(*next(exact(program, scenario, [0])))
 
 
 def dot(x, y):

@@ -23,11 +23,6 @@ def motion(top: toytop.Top) -> toytop.Motion:
     return top.release(tilt=0.35, spin=150.0, precession=2.0)
 
 
-def vector_names() -> list[str]:
-    """Vectors whose numbers are exact in float64; none where the package is tested outside its repository."""
-    return sorted(path.stem for path in VECTORS.glob("exact_*.json"))
-
-
 def vector(name: str) -> dict[str, Any]:
     return dict(json.loads((VECTORS / f"{name}.json").read_text()))
 
