@@ -1,18 +1,84 @@
-//! Threads on all processor cores.
+//! Work on all processor cores.
 
 use crate::Failure;
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
+use std::process;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+use std::sync::mpsc::{self, RecvTimeoutError};
+use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
 /// Stack of a thread, bytes. The set-up of the largest table needs 1.5 MB of it.
 pub const STACK: usize = 1 << 25;
+/// Time between two questions whether the work goes on.
+pub const INTERVAL: Duration = Duration::from_millis(50);
 
-/// Thread pool with a thread for each processor core.
+/// Thread pool with a thread for each processor core, which the first call in a process makes.
+fn pool() -> Result<&'static ThreadPool, Failure> {
+    // a forked process has none of the threads of its parent
+    static POOL: Mutex<Option<(u32, &ThreadPool)>> = Mutex::new(None);
+    let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
+    match *pool {
+        Some((process, threads)) if process == process::id() => Ok(threads),
+        _ => {
+            let threads = ThreadPoolBuilder::new().stack_size(STACK).build();
+            let threads = threads.map_err(|error| Failure::Tool(format!("threads: {error}")))?;
+            Ok(pool.insert((process::id(), Box::leak(Box::new(threads)))).1)
+        }
+    }
+}
+
+/// Calls `work` with each of the jobs on all cores.
+///
+/// * `goes_on`: asked every [`INTERVAL`] in the calling thread; after `false` the remaining jobs are not done
 ///
 /// # Errors
 /// [`Failure::Tool`]: the system cannot start the threads.
-pub fn thread_pool() -> Result<ThreadPool, Failure> {
-    ThreadPoolBuilder::new()
-        .stack_size(STACK)
-        .build()
-        .map_err(|error| Failure::Tool(format!("threads: {error}")))
+pub fn for_each<J: Send>(
+    jobs: impl ParallelIterator<Item = J>,
+    work: impl Fn(J) + Send + Sync,
+    mut goes_on: impl FnMut() -> bool,
+) -> Result<(), Failure> {
+    let stopped = AtomicBool::new(false);
+    let unless_stopped = |job| {
+        if !stopped.load(Relaxed) {
+            work(job);
+        }
+    };
+    pool()?.in_place_scope(|scope| {
+        let (running, ended) = mpsc::channel::<()>();
+        scope.spawn(|_| {
+            let _running = running;
+            jobs.for_each(unless_stopped);
+        });
+        while ended.recv_timeout(INTERVAL) == Err(RecvTimeoutError::Timeout) {
+            if !goes_on() {
+                stopped.store(true, Relaxed);
+                break;
+            }
+        }
+    });
+    Ok(())
+}
+
+/// Results of `compute` for the numbers below `count`, in their order, computed on all cores. Results are missing after `goes_on` was
+/// `false`, as in [`for_each`].
+///
+/// # Errors
+/// The failures of [`for_each`].
+pub fn map<T: Send>(
+    count: usize,
+    compute: impl Fn(usize) -> T + Send + Sync,
+    goes_on: impl FnMut() -> bool,
+) -> Result<Vec<T>, Failure> {
+    let mut results: Vec<Option<T>> = (0..count).map(|_| None).collect();
+    match &mut results[..] {
+        [only] => *only = Some(compute(0)),
+        results => {
+            let jobs = results.par_iter_mut().enumerate();
+            for_each(jobs, |(index, result)| *result = Some(compute(index)), goes_on)?;
+        }
+    }
+    Ok(results.into_iter().flatten().collect())
 }

@@ -1,15 +1,14 @@
-//! Work on all processor cores, with a progress bar: rows that are written in their order, and results in theirs.
+//! Parallel work with a progress bar. Rows and results keep their order.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
-use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::io::{self, Write};
 use toytop_host::Failure;
-use toytop_host::threads::thread_pool;
+use toytop_host::threads::map;
 
-/// Greatest number of rows for which one thread suffices.
-const FEW_ROWS: u64 = 1024;
-/// Number of rows between two writes.
-const BATCH_ROWS: u64 = 1 << 15;
+/// Number of rows of one job.
+const ROWS: u64 = 1024;
+/// Number of jobs between two writes.
+const JOBS: u64 = 32;
 
 /// Writes `count` rows. Memory does not grow with their number.
 ///
@@ -22,45 +21,41 @@ pub fn write_rows(
     append: &(dyn Fn(u64, &mut Vec<u8>) + Sync),
     out: &mut dyn Write,
 ) -> io::Result<()> {
-    let append = |mut bytes: Vec<u8>, row| {
-        append(row, &mut bytes);
-        bytes
-    };
-    if count <= FEW_ROWS {
-        out.write_all(&(0..count).fold(Vec::new(), append))?;
-        return out.flush();
-    }
-    let cores = thread_pool().map_err(io::Error::other)?;
     let progress = Progress::new(count, "rows");
-    for first in (0..count).step_by(BATCH_ROWS as usize) {
-        let rows = first..count.min(first + BATCH_ROWS);
-        let batch = rows.end - first;
-        // in the order of the rows, whichever thread encodes them
-        let parts: Vec<_> = cores.install(|| rows.into_par_iter().fold(Vec::new, append).collect());
+    for first in (0..count).step_by((JOBS * ROWS) as usize) {
+        let end = count.min(first + JOBS * ROWS);
+        let job = |number: usize| {
+            let first = first + ROWS * number as u64;
+            let mut bytes = Vec::new();
+            (first..end.min(first + ROWS)).for_each(|row| append(row, &mut bytes));
+            bytes
+        };
+        let jobs = (end - first).div_ceil(ROWS) as usize;
+        let parts = map(jobs, job, || true).map_err(io::Error::other)?;
         parts.iter().try_for_each(|bytes| out.write_all(bytes))?;
-        progress.add(batch);
+        progress.add(end - first);
     }
     out.flush()
 }
 
-/// Results of `compute` for the numbers from 0 on, computed on all processor cores, in their order.
+/// Results of `compute` for the numbers below `count`, in their order, computed on all processor cores.
 ///
 /// * `unit`: name of the computations in the progress bar
 ///
 /// # Errors
-/// The failures of [`thread_pool`].
+/// The failures of [`map`].
 pub fn compute_all<T: Send>(
     count: u64,
     unit: &'static str,
-    compute: impl Fn(u64) -> T + Sync,
+    compute: impl Fn(u64) -> T + Send + Sync,
 ) -> Result<Vec<T>, Failure> {
     let progress = Progress::new(count, unit);
     let counted = |number| {
-        let result = compute(number);
+        let result = compute(number as u64);
         progress.add(1);
         result
     };
-    Ok(thread_pool()?.install(|| (0..count).into_par_iter().map(counted).collect()))
+    map(count as usize, counted, || true)
 }
 
 /// Progress of work with a known total, as a bar on stderr for work that takes more than a second; there is none where stderr is no terminal.

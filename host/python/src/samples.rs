@@ -117,7 +117,7 @@ impl Sampler {
                 let blocks = rows.par_chunks_mut(width * BLOCK).enumerate();
                 blocks.map(move |(block, rows)| (motion, BLOCK * block, rows))
             });
-            interrupt::on_all_cores(py, jobs, |(motion, first, rows)| fill(motion, first, rows))?;
+            interrupt::for_each(py, jobs, |(motion, first, rows)| fill(motion, first, rows))?;
         }
         writer.make_nonwriteable();
         Ok(array)
