@@ -1,12 +1,5 @@
 // The page starts here.
 
-import { listenToSizes } from "./pictures/canvas.js";
-import { data } from "./motion/data.js";
-import { elements } from "./interaction/document.js";
-import { buildControls } from "./interaction/controls.js";
-import { change, applyAddress, loadCore, play, redraw, setScenario } from "./interaction/state.js";
-import { fillPresets, listenToMotion, listenToPictures, listenToTime, onKey, recolour } from "./interaction/listen.js";
-
 async function begin() {
   await loadCore();
   buildControls(change);
@@ -26,4 +19,4 @@ async function begin() {
 }
 
 /** Promise that the page is complete. */
-export const ready = begin();
+const ready = begin();

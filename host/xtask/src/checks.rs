@@ -64,11 +64,25 @@ fn with_target_dir(mut command: Command, folder: PathBuf) -> Command {
     command
 }
 
-/// Checks the scripts of the page and of its tests by TypeScript's compiler: names, types, arguments, and that nothing is unused.
+/// Checks the scripts of the page and of its tests by TypeScript's compiler, joined as on a page: names, types, arguments, and that nothing is
+/// unused.
 pub(crate) fn scripts() -> Result<String> {
-    let options = "--noEmit --allowJs --checkJs --target es2022 --noUnusedLocals --noUnusedParameters";
-    let scripts = "page/view/main.js tests/cli/pictures/view/browser/controls.js";
-    passes(&mut command("host", &format!("tsc {options} {scripts}")))
+    let read =
+        |file: &str| fs::read_to_string(root().join("host").join(file)).with_context(|| file.to_owned());
+    let page = read("page/view/page.html")?;
+    let mut joined = String::new();
+    for file in page.split("<script src=\"").skip(1).filter_map(|rest| rest.split('"').next()) {
+        joined += &read(&format!("page/view/{file}"))?;
+    }
+    for file in ["probes.js", "controls.js"] {
+        joined += &read(&format!("tests/cli/pictures/view/browser/{file}"))?;
+    }
+    // what the tests call
+    joined += "export { ready, operate, moveSliders, restored, visit, describe, shownAt };\n";
+    let path = target_dir().join("scripts.js");
+    fs::write(&path, joined)?;
+    let options = "tsc --noEmit --allowJs --checkJs --target es2022 --noUnusedLocals --noUnusedParameters";
+    passes(command(".", options).arg(path))
 }
 
 /// Runs all tests and core's examples, and returns the closing line of every test binary.

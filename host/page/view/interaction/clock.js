@@ -1,7 +1,7 @@
 // The clock moves the time of the page while the motion plays.
 
 /** Clock that can be started and stopped; `step` is called for each frame with the time since the last one, s. */
-export class Clock {
+class Clock {
   playing = false;
   last = 0;
 

@@ -1,12 +1,5 @@
 // Sliders and fields: each shows a number of the motion and sets it.
 
-import { numberOf, unitName } from "../motion/text.js";
-import { degrees } from "../motion/angles.js";
-import { DEFAULTS, SUPPORTS } from "../motion/core.js";
-import { asBranchPoints, asRelease } from "../motion/scenario.js";
-import { isTorqueFree } from "../motion/facts.js";
-import { element, mark, showMessage } from "./document.js";
-
 const LINEAR = { position: (x, [low, high]) => (x - low) / (high - low), value: (position, [low, high]) => low + position * (high - low) };
 const LOGARITHMIC = {
   position: (x, [low, high]) => Math.log(x / low) / Math.log(high / low),
@@ -65,7 +58,7 @@ const perNutation = ({ period, natural_time }) => 3 / (period > 0 ? period : nat
 /** Spin that is fast for this body, rad/s. */
 const fastSpin = (constants) => Math.max(perNutation(constants), constants.C > 0 ? constants.critical_spin + constants.K / constants.C : 0);
 
-export const CONTROLS = [
+const CONTROLS = [
   releaseControl("tilt_deg", "Tilt", "°", "Angle of the axis from the upward vertical at t = 0.", () => [0, 180], ({ tilt }) => degrees(tilt)),
   releaseControl("spin", "Spin", "rad/s", "Component of the angular velocity along the axis; it never changes.", bothWays(fastSpin), ({ spin }) => spin),
   releaseControl("precession", "Precession", "rad/s", "Rate at which the axis goes round the vertical at t = 0.", bothWays(perNutation), ({ precession }) => precession),
@@ -86,10 +79,10 @@ export const CONTROLS = [
 const rounded = (x, [low, high]) => Number(x.toFixed(Math.max(0, Math.min(20, 3 - Math.floor(Math.log10(high - low))))));
 
 /** Text with six digits in the form in which a user types them: 0.25, 7.5e-5. */
-export const typed = (x) => (x !== 0 && Math.abs(x) < 1e-3 ? x.toExponential(5).replace(/\.?0+e/, "e") : String(Number(x.toPrecision(6))));
+const typed = (x) => (x !== 0 && Math.abs(x) < 1e-3 ? x.toExponential(5).replace(/\.?0+e/, "e") : String(Number(x.toPrecision(6))));
 
 /** Builds the rows of sliders and fields in their groups. */
-export function buildControls(change) {
+function buildControls(change) {
   for (const control of CONTROLS) {
     const { key, label, unit, define, group } = control;
     const row = document.createElement("div");
@@ -119,7 +112,7 @@ export function buildControls(change) {
 }
 
 /** Shows the numbers of a motion. `settle` also sets the ranges of the sliders around these numbers. */
-export function showControls({ scenario, constants, settle = false }) {
+function showControls({ scenario, constants, settle = false }) {
   for (const control of CONTROLS) {
     const x = control.read(scenario, constants);
     control.row.hidden = x === undefined;

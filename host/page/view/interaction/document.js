@@ -1,21 +1,19 @@
 // Elements of the page are found by their ids, and show tables and messages.
 
-import { unitName } from "../motion/text.js";
-
 /**
  * Element of this id.
  * @type {(id: string) => any}
  */
-export const element = (id) => document.getElementById(id);
+const element = (id) => document.getElementById(id);
 
 /**
  * Elements of a selector.
  * @type {(selector: string) => any[]}
  */
-export const elements = (selector) => [...document.querySelectorAll(selector)];
+const elements = (selector) => [...document.querySelectorAll(selector)];
 
 /** Shows a message on a topic; an empty text removes the message if it is on that topic. */
-export function showMessage(topic, text, isError = true) {
+function showMessage(topic, text, isError = true) {
   const message = element("message");
   if (!text && message.dataset.topic !== topic) return;
   message.dataset.topic = topic;
@@ -25,13 +23,13 @@ export function showMessage(topic, text, isError = true) {
 }
 
 /** Marks a field as wrong or right. */
-export function mark(field, wrong) {
+function mark(field, wrong) {
   if (wrong) field.setAttribute("aria-invalid", "true");
   else field.removeAttribute("aria-invalid");
 }
 
 /** Fills a table. Existing rows are kept, so that a tooltip stays open. */
-export function fillTable(table, facts, scenario) {
+function fillTable(table, facts, scenario) {
   while (table.rows.length > facts.length) table.deleteRow(-1);
   facts.forEach(([name, value, si, definition], i) => {
     const row = table.rows[i] ?? newRow(table);

@@ -1,10 +1,7 @@
 // Pointers and arrow keys turn the 3-D pictures and drag the branch points.
 
-import { sizeOf, unitOf } from "../pictures/canvas.js";
-import { dragged, potentialLayout } from "../pictures/potential.js";
-
 /** Turns the 3-D pictures when they are dragged. */
-export function listenToTurns(canvas, turn, reset) {
+function listenToTurns(canvas, turn, reset) {
   canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
   canvas.addEventListener("pointermove", (event) => {
     if (canvas.hasPointerCapture(event.pointerId)) turn(-0.008 * event.movementX, 0.008 * event.movementY);
@@ -16,7 +13,7 @@ export function listenToTurns(canvas, turn, reset) {
  * Lets e₁, e₂ and e₃ be dragged along the potential: `roots` returns those shown, `set` takes a key and a number, and `release` is called
  * at the end.
  */
-export function listenToRoots(canvas, roots, set, release) {
+function listenToRoots(canvas, roots, set, release) {
   const pointerX = ({ offsetX }) => offsetX / unitOf();
   const layout = () => dragged.layout ?? potentialLayout(sizeOf(canvas), roots());
   let root = null;

@@ -1,17 +1,5 @@
 // Buttons, sliders, keys and the address call the functions of the page.
 
-import { numberOf } from "../motion/text.js";
-import { data } from "../motion/data.js";
-import { SUPPORTS } from "../motion/core.js";
-import { asBranchPoints, toToml, withSupport } from "../motion/scenario.js";
-import { presetsOf } from "../motion/presets.js";
-import { palette, sizes } from "../pictures/canvas.js";
-import { element, elements, mark, showMessage } from "./document.js";
-import { CONTROLS } from "./controls.js";
-import { addressFragment, change, clock, FLAT_PICTURES, go, play, redraw, updateAddress, scene, setScenario, setSpeed, show, shown, START_VIEW, startComparison, state } from "./state.js";
-import { canFilm, copy, download, fileName, filmer, savePng, svgOf } from "./save.js";
-import { listenToRoots, listenToTurns } from "./drag.js";
-
 function turn(azimuth, elevation) {
   const { view } = state;
   view.azimuth += azimuth;
@@ -21,7 +9,7 @@ function turn(azimuth, elevation) {
 
 const TURNS = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.06], ArrowDown: [0, -0.06] };
 
-export function onKey(event) {
+function onKey(event) {
   if (event.ctrlKey || event.metaKey || event.altKey) return;
   const { key, target } = event;
   const { tagName, type } = target;
@@ -34,7 +22,7 @@ export function onKey(event) {
   event.preventDefault();
 }
 
-export function fillPresets() {
+function fillPresets() {
   const select = element("presets");
   const presets = presetsOf(data);
   for (const [group, motions] of Object.entries(presets)) {
@@ -50,7 +38,7 @@ export function fillPresets() {
   });
 }
 
-export function listenToTime() {
+function listenToTime() {
   element("play").addEventListener("click", () => play(!clock.playing));
   element("begin").addEventListener("click", () => go(0));
   element("far").addEventListener("click", () => go(1e6));
@@ -71,7 +59,7 @@ export function listenToTime() {
   });
 }
 
-export function listenToMotion() {
+function listenToMotion() {
   for (const support of SUPPORTS) {
     element(support).addEventListener("change", () => {
       setScenario(withSupport(state.scenario, support, scene.constants), { settle: true, name: "Your top" });
@@ -99,7 +87,7 @@ export function listenToMotion() {
   }, redraw);
 }
 
-export function listenToPictures() {
+function listenToPictures() {
   for (const canvas of elements("canvas[data-turns]")) {
     listenToTurns(canvas, turn, () => {
       state.view = { ...START_VIEW };
@@ -135,7 +123,7 @@ export function listenToPictures() {
   element("print").addEventListener("click", () => print());
 }
 
-export function recolour() {
+function recolour() {
   for (const canvas of elements("canvas")) sizes.delete(canvas);
   state.colours = palette();
   show();

@@ -1,9 +1,6 @@
 // Pictures, films, scenarios and links can be saved.
 
-import { sizeOf } from "../pictures/canvas.js";
-import { SvgPen } from "../pictures/svg.js";
-
-export function download(name, blob) {
+function download(name, blob) {
   const link = document.createElement("a");
   link.download = name;
   link.setAttribute("href", URL.createObjectURL(blob));
@@ -12,14 +9,14 @@ export function download(name, blob) {
 }
 
 /** Name of a file, from the name of the motion. */
-export const fileName = (what, ending) => `${document.title.split(":")[0].trim().replace(/[^\p{L}\p{N}]+/gu, "_")}_${what}.${ending}`;
+const fileName = (what, ending) => `${document.title.split(":")[0].trim().replace(/[^\p{L}\p{N}]+/gu, "_")}_${what}.${ending}`;
 
-export function savePng(canvas, what) {
+function savePng(canvas, what) {
   canvas.toBlob((blob) => download(fileName(what, "png"), blob), "image/png");
 }
 
 /** Flat picture as SVG text, in the size in which it is shown. */
-export function svgOf(canvas, draw, colours) {
+function svgOf(canvas, draw, colours) {
   const size = sizeOf(canvas);
   const pen = new SvgPen(colours.card, size);
   draw({ pen, size });
@@ -27,7 +24,7 @@ export function svgOf(canvas, draw, colours) {
 }
 
 /** Function that starts a film of a canvas, and ends it at the next call; `changed` is called with whether a film is recorded. */
-export function filmer(canvas, changed) {
+function filmer(canvas, changed) {
   let recorder = null;
   return () => {
     if (recorder) {
@@ -48,10 +45,10 @@ export function filmer(canvas, changed) {
   };
 }
 
-export const canFilm = () => typeof MediaRecorder === "function" && typeof HTMLCanvasElement.prototype.captureStream === "function";
+const canFilm = () => typeof MediaRecorder === "function" && typeof HTMLCanvasElement.prototype.captureStream === "function";
 
 /** Copies a text; if the browser does not allow this, a prompt shows the text for copying by hand. */
-export async function copy(text) {
+async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;

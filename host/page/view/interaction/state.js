@@ -1,38 +1,20 @@
 // The page has one state, which these functions change and draw.
 
-import { decimals, numberOf, short } from "../motion/text.js";
-import { degrees } from "../motion/angles.js";
-import { data } from "../motion/data.js";
-import { Core, refusalText } from "../motion/core.js";
-import { fromFragment, toFragment } from "../motion/scenario.js";
-import { curveReason, poseFacts, paperFacts, summaryOf, teachersFacts } from "../motion/facts.js";
-import { palette, sheet } from "../pictures/canvas.js";
-import { sceneOf } from "../pictures/scene.js";
-import { intervalOf, drawnPose, Points } from "../pictures/points.js";
-import { drawScene } from "../pictures/top.js";
-import { drawSphere } from "../pictures/sphere.js";
-import { drawPlan } from "../pictures/plan.js";
-import { drawChart } from "../pictures/charts.js";
-import { drawPotential } from "../pictures/potential.js";
-import { element, elements, fillTable, mark, showMessage } from "./document.js";
-import { showControls, typed } from "./controls.js";
-import { Clock } from "./clock.js";
-
 /** Greatest time that the field accepts, s: 30 thousand years. */
 const FURTHEST = 1e12;
 
 /** View from which a page starts. */
-export const START_VIEW = { azimuth: 0.9, elevation: 0.42 };
-export const state = { t: 0, intervalNumber: 0, speed: 1, exponent: 0, view: { ...START_VIEW }, colours: palette(), scenario: data.scenario, name: data.name.replaceAll("_", " ") };
+const START_VIEW = { azimuth: 0.9, elevation: 0.42 };
+const state = { t: 0, intervalNumber: 0, speed: 1, exponent: 0, view: { ...START_VIEW }, colours: palette(), scenario: data.scenario, name: data.name.replaceAll("_", " ") };
 /** Core, computed points of the motion, and those of the interval that the slider covers. */
 let core, points, interval;
 /** Scene of the motion that is shown. */
-export let scene;
+let scene;
 /** State of the motion that is shown; a test compares it with the crate. */
-export let shown;
+let shown;
 let pending = false;
 
-export const clock = new Clock((passed) => {
+const clock = new Clock((passed) => {
   state.t = limited(state.t + passed * state.speed);
   moveInterval();
   show();
@@ -44,7 +26,7 @@ const inSeconds = (text) => (state.scenario.units === "none" ? text : `${text} s
 const limited = (t) => Math.max(-FURTHEST, Math.min(FURTHEST, t));
 
 /** Shows a scenario; if the core refuses it, shows the reason and keeps the scenario before. */
-export function setScenario(scenario, { settle = false, name = undefined } = {}) {
+function setScenario(scenario, { settle = false, name = undefined } = {}) {
   const launched = core.launch(scenario);
   if (launched.refused) {
     showMessage("motion", refusalText(launched.refused));
@@ -76,7 +58,7 @@ function frameAt(t) {
   return { scene, scenario, now, past: [...points.before(t), now], t, view, colours, comparison: comparisonNow(t) };
 }
 
-export function show() {
+function show() {
   pending = false;
   const { t, intervalNumber } = state;
   points.forget(t);
@@ -91,19 +73,19 @@ export function show() {
 }
 
 /** Pictures that can also be saved as SVG. */
-export const FLAT_PICTURES = {
+const FLAT_PICTURES = {
   plan: drawPlan,
   tilt: (paper, frame) => drawChart(paper, frame, "tilt"),
   precession: (paper, frame) => drawChart(paper, frame, "precession"),
   potential: drawPotential,
 };
 
-export async function loadCore() {
+async function loadCore() {
   core = await Core.load(element("core").textContent.trim(), data.constants);
 }
 
 /** Requests one drawing, with the next frame of the browser. */
-export function redraw() {
+function redraw() {
   if (!pending) requestAnimationFrame(show);
   pending = true;
 }
@@ -133,7 +115,7 @@ function tellPose({ pose }) {
 }
 
 /** Sets the time; if it is outside of the slider's interval, the interval changes. */
-export function go(t) {
+function go(t) {
   if (limited(t) !== t) showMessage("t", `t: must be between −10¹² and ${inSeconds("10¹²")}; ${inSeconds(short(t))} is beyond`);
   else showMessage("t", "");
   state.t = limited(t);
@@ -146,7 +128,7 @@ function moveInterval() {
   if (fraction < 0 || fraction > 1) state.intervalNumber = Math.floor(state.t / scene.span);
 }
 
-export function play(playing) {
+function play(playing) {
   const button = element("play");
   button.setAttribute("aria-label", playing ? "Pause" : "Play");
   button.title = playing ? "Pause (space)" : "Play (space)";
@@ -154,7 +136,7 @@ export function play(playing) {
   clock.play(playing);
 }
 
-export function setSpeed(exponent, settle = true) {
+function setSpeed(exponent, settle = true) {
   state.exponent = exponent;
   if (settle) state.base = scene.speed;
   state.speed = state.base * 2 ** exponent;
@@ -165,7 +147,7 @@ export function setSpeed(exponent, settle = true) {
 }
 
 /** Sets a number that a slider, a field or a drag has changed. */
-export function change(control, x) {
+function change(control, x) {
   const good = setScenario(control.write(state.scenario, x, scene.constants), { name: "Your top" });
   mark(control.field, !good);
   if (!good) showMessage("motion", `${element("message").textContent}; the motion keeps ${control.label} = ${typed(control.number)}`);
@@ -175,7 +157,7 @@ export function change(control, x) {
 /** Step of the comparison top in its field, s; 0 if it is switched off. */
 const comparisonStep = () => (element("comparison").checked ? numberOf(element("comparison-step").value) : 0);
 
-export function startComparison() {
+function startComparison() {
   const step = comparisonStep();
   showMessage("comparison", Number.isNaN(step) || step < 0 ? "step of the comparison top: must be a positive number of seconds" : "");
   core.startComparison(step > 0 ? step : 0);
@@ -197,20 +179,20 @@ function comparisonNow(t) {
 }
 
 /** Fragment of the address for the settings: the motion, and time, speed and step of the comparison top if they differ from those of a page that was just opened. */
-export function addressFragment() {
+function addressFragment() {
   const speed = state.exponent === 0 ? undefined : Number(state.speed.toPrecision(4));
   return toFragment(state.scenario, { t: clock.playing ? undefined : state.t, speed, comparison: comparisonStep() || undefined });
 }
 
 /** Puts the settings into the address, so that it can be shared and reloaded. */
 let addressTimer;
-export function updateAddress() {
+function updateAddress() {
   clearTimeout(addressTimer);
   addressTimer = setTimeout(() => history.replaceState(null, "", addressFragment()), 250);
 }
 
 /** Applies the settings of the address; a page with a time in its address does not play. An address with an error changes nothing. */
-export function applyAddress() {
+function applyAddress() {
   const { refused, scenario, t, speed, comparison } = fromFragment(location.hash);
   showMessage("motion", refused ?? "");
   if (refused) return false;

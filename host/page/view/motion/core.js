@@ -1,17 +1,15 @@
 // The core, as WebAssembly, takes a scenario and returns the constants of the motion and its state at any time, in the crate's bits.
 // The comparison top is integrated by the Runge-Kutta method.
 
-import { data } from "./data.js";
-
 const namesOf = (keys) => keys.map(([name]) => name);
 
 /** Supports of the tip, keys of a top, and keys of each kind of motion, in the order in which the core takes their numbers. */
-export const SUPPORTS = data.keys.supports;
-export const TOP_KEYS = namesOf(data.keys.top);
-export const MOTION_KEYS = Object.fromEntries(data.keys.kinds.map(([kind, keys]) => [kind, namesOf(keys)]));
+const SUPPORTS = data.keys.supports;
+const TOP_KEYS = namesOf(data.keys.top);
+const MOTION_KEYS = Object.fromEntries(data.keys.kinds.map(([kind, keys]) => [kind, namesOf(keys)]));
 /** Default values of keys; null for a required one. */
-export const DEFAULTS = Object.fromEntries([data.keys.top, ...data.keys.kinds.map(([, keys]) => keys)].flat());
-export const KINDS = Object.keys(MOTION_KEYS);
+const DEFAULTS = Object.fromEntries([data.keys.top, ...data.keys.kinds.map(([, keys]) => keys)].flat());
+const KINDS = Object.keys(MOTION_KEYS);
 
 /** Numbers of a scenario in the order in which the core takes them: those of the top, then those of the motion. */
 function numbersOf({ top, motion }) {
@@ -21,7 +19,7 @@ function numbersOf({ top, motion }) {
 }
 
 /** Number of components of the keys that hold vectors. */
-export const COMPONENTS = { alpha: 2, beta: 2, omega: 3 };
+const COMPONENTS = { alpha: 2, beta: 2, omega: 3 };
 
 /** Required keys of a top with this support. */
 function keysOfTop({ support = "sliding", mass_moment }) {
@@ -40,7 +38,7 @@ function missingKeys({ top, motion }) {
 }
 
 /** Message of a refusal: missing keys by their names in a scenario, a number by its name in words. */
-export const refusalText = ({ missing, parameter, allowed }) =>
+const refusalText = ({ missing, parameter, allowed }) =>
   missing ? `${missing.join(", ")}: must be given` : `${parameter.replaceAll("_", " ")}: must be ${allowed}`;
 
 /** Orientation, axis and tip, from the ten numbers that the core returns for a time. */
@@ -50,10 +48,10 @@ function poseOf(numbers) {
 }
 
 /** Number of coordinates of a point of a curve: axis and tip. */
-export const COORDINATES = 5;
-export const MAX_POINTS = 4096;
+const COORDINATES = 5;
+const MAX_POINTS = 4096;
 
-export class Core {
+class Core {
   /** Core of a page, from its bytes in base 64. */
   static async load(base64, names) {
     const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

@@ -1,3 +1,3 @@
 // The page contains its first scenario, the names that the core and scenario files share, and the meanings of the constants.
 
-export const data = JSON.parse(document.getElementById("data").textContent);
+const data = JSON.parse(document.getElementById("data").textContent);

@@ -1,23 +1,19 @@
 // The tables list the quantities of a motion and of its state at a time; the sentences describe the motion.
 
-import { complexText, decimals, short } from "./text.js";
-import { azimuthOf, degrees, perMinute, tiltOf } from "./angles.js";
-import { data } from "./data.js";
-
 /** Definitions of the constants, as `toytop constants --help` prints them. */
 const define = (name) => `${data.meanings[name]}.`;
 
 /** Whether no torque acts; then e₃ is infinite and the angular momentum is constant. */
-export const isTorqueFree = ({ g }) => g === 0;
+const isTorqueFree = ({ g }) => g === 0;
 
 /** Whether the axis is vertical at all times. */
-export const isVertical = (regime) => regime.startsWith("sleeping") || regime === "hanging";
+const isVertical = (regime) => regime.startsWith("sleeping") || regime === "hanging";
 
 /** Angle between the axis and the angular momentum, in degrees. */
-export const coneAngle = ({ n, m_x, m_y, m_z }) => degrees(Math.acos(Math.max(-1, Math.min(1, n / Math.hypot(m_x, m_y, m_z)))));
+const coneAngle = ({ n, m_x, m_y, m_z }) => degrees(Math.acos(Math.max(-1, Math.min(1, n / Math.hypot(m_x, m_y, m_z)))));
 
 /** Angle of the axis from the vertical, from its cosine u, in degrees. */
-export const tiltAt = (u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))));
+const tiltAt = (u) => degrees(Math.acos(Math.max(-1, Math.min(1, u))));
 
 /** Tilts between which the plane would have to pull the tip down; null if there are none. */
 function liftOff({ min_tilt_deg, lift_off_u }) {
@@ -50,7 +46,7 @@ function motionOf(constants) {
 }
 
 /** Support and kind of a motion, and in what way a real top would move differently. */
-export function summaryOf(constants) {
+function summaryOf(constants) {
   const { regime, support, min_normal_force, e1 } = constants;
   const real = [];
   if (min_normal_force < 0) real.push("lift off the plane");
@@ -60,7 +56,7 @@ export function summaryOf(constants) {
 }
 
 /** Reason for the class of the tip curve (Proposition 6 of the paper). */
-export function curveReason(constants) {
+function curveReason(constants) {
   const { tipClass, e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = constants;
   const [left, right] = [short(e3 * (e2 - e1), 4), short(1 - e1 * e2, 4)];
   const signs = sign_l_plus_n === sign_l_minus_n ? "the same sign" : "different signs";
@@ -87,7 +83,7 @@ export function curveReason(constants) {
 }
 
 /** Names, values, units and definitions of quantities for teaching. */
-export function teachersFacts(constants, { units }) {
+function teachersFacts(constants, { units }) {
   const { A, p, g, n, min_tilt_deg, max_tilt_deg, period, phi_per_period, spin, critical_spin: critical, min_normal_force, support } = constants;
   const rate = phi_per_period / period;
   const both = (x) => (units === "none" ? short(x, 4) : `${short(x, 4)} rad/s = ${short(perMinute(x), 4)}`);
@@ -116,7 +112,7 @@ export function teachersFacts(constants, { units }) {
 }
 
 /** Names, values, units and definitions of the paper's constants. */
-export function paperFacts(constants) {
+function paperFacts(constants) {
   const { e1, e2, e3, e4, l, n, h, A, C, s, p, g, K, support, alpha_turns, beta_turns } = constants;
   const [slides, weight] = [support === 0, !isTorqueFree(constants)];
   return [
@@ -143,7 +139,7 @@ export function paperFacts(constants) {
 }
 
 /** Names, values, units and definitions of the state at the time shown. */
-export function poseFacts({ alpha, beta, u, axis }, t, constants) {
+function poseFacts({ alpha, beta, u, axis }, t, constants) {
   const { period, error, error_growth } = constants;
   return [
     ["tilt", decimals(tiltOf(axis), 3), "°", "Angle between the axis and the vertical, now."],

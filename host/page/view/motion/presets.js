@@ -1,7 +1,5 @@
 // The preset motions are the paper's nine curves, real tops, and limiting cases.
 
-import { withSupport } from "./scenario.js";
-
 /** Top of the paper's curves: A = C = s = p = g = 1. */
 const PAPERS_TOP = { support: "sliding", transverse_inertia: 1, axial_inertia: 1, com_height: 1, mass_moment: 1, gravity: 1 };
 
@@ -10,7 +8,7 @@ function branchPoints(top, [e1, e2, e3], minus) {
 }
 
 /** Groups of presets: each has a name, and presets by their names. */
-export function presetsOf({ name, scenario, figures, toy_top: toyTop }) {
+function presetsOf({ name, scenario, figures, toy_top: toyTop }) {
   const { top } = toyTop;
   const thrown = (changes) => ({ top, motion: { ...toyTop.motion, ...changes } });
   const wheel = { support: "fixed", mass: 0.2, com_height: 0.06, transverse_inertia: 9.5e-4, axial_inertia: 4e-4, gravity: 9.81 };

@@ -1,9 +1,5 @@
 // A scenario is read from the fragment of an address, and written as such a fragment or as TOML, with the keys of scenario files.
 
-import { numberOf } from "./text.js";
-import { degrees } from "./angles.js";
-import { COMPONENTS, KINDS, MOTION_KEYS, SUPPORTS, TOP_KEYS } from "./core.js";
-
 /** Keys of a scenario whose values are numbers, in the order of the documentation. */
 const NUMBER_KEYS = [...TOP_KEYS, ...Object.values(MOTION_KEYS).flat()];
 
@@ -14,7 +10,7 @@ function inOrder(table) {
 }
 
 /** Fragment `#mass=0.05&...&kind=release&tilt_deg=20&spin=150&t=3` of a scenario and of settings by name, which may be undefined. */
-export function toFragment({ units, top, motion }, settings) {
+function toFragment({ units, top, motion }, settings) {
   const others = Object.entries({ units, ...settings }).filter(([, value]) => value !== undefined);
   const pairs = [...inOrder({ support: "sliding", ...top }), ...inOrder(motion), ...others];
   return `#${pairs.map(([key, value]) => `${key}=${value}`).join("&")}`;
@@ -56,7 +52,7 @@ function refusalOfAddress(values) {
 }
 
 /** Scenario, time, speed and step of the comparison top in a fragment, or the reason why it is refused; missing numbers are NaN. */
-export function fromFragment(fragment) {
+function fromFragment(fragment) {
   const pairs = decoded(fragment.slice(1)).split("&").map((pair) => pair.split("="));
   const values = new Map(pairs.filter(([key]) => key !== ""));
   const refused = refusalOfAddress(values);
@@ -71,7 +67,7 @@ export function fromFragment(fragment) {
 }
 
 /** Text of a scenario file, which `toytop` reads. */
-export function toToml({ units, top, motion }, name) {
+function toToml({ units, top, motion }, name) {
   const value = (x) => (Array.isArray(x) ? `[${x.map(value).join(", ")}]` : typeof x === "string" ? `"${x}"` : String(x));
   const table = (title, entries) =>
     [`[${title}]`, ...inOrder(entries).map(([key, x]) => `${key} = ${value(x)}`), ""].join("\n");
@@ -80,7 +76,7 @@ export function toToml({ units, top, motion }, name) {
 }
 
 /** Scenario of a motion as a release, without the rotation of the body about its axis at t = 0. */
-export function asRelease(scenario, constants) {
+function asRelease(scenario, constants) {
   if (scenario.motion.kind === "release") return scenario;
   const { tilt, azimuth, spin, precession, nutation } = constants;
   const motion = { kind: "release", tilt_deg: degrees(tilt), spin, precession, nutation, azimuth_deg: degrees(azimuth) };
@@ -88,7 +84,7 @@ export function asRelease(scenario, constants) {
 }
 
 /** Scenario of a motion by its branch points; it starts at the lowest position of the axis. */
-export function asBranchPoints(scenario, constants) {
+function asBranchPoints(scenario, constants) {
   if (scenario.motion.kind === "branch_points") return scenario;
   const { e1, e2, e3, sign_l_plus_n, sign_l_minus_n } = constants;
   return { ...scenario, motion: { kind: "branch_points", e1, e2, e3, sign_l_plus_n, sign_l_minus_n } };
@@ -110,7 +106,7 @@ function leverOf({ mass, mass_moment, com_height, transverse_inertia: a, axial_i
  * Scenario of a body with another support: the transverse inertia is about the tip if that is held, otherwise about the centre of
  * mass. A free body keeps mass, height and gravity, which have no effect, until it has a support again.
  */
-export function withSupport(scenario, support, constants) {
+function withSupport(scenario, support, constants) {
   const before = scenario.top.support ?? "sliding";
   if (before === support) return scenario;
   const { transverse_inertia: a, axial_inertia, gravity, rotor_momentum } = scenario.top;

@@ -1,13 +1,13 @@
 // Numbers are written for the page, and read from what is typed.
 
 /** Number with n decimals, without a minus before zero. */
-export const decimals = (x, n = 4) => {
+const decimals = (x, n = 4) => {
   const text = x.toFixed(n);
   return (Number(text) === 0 ? text.replace("-", "") : text).replace("-", "−");
 };
 
 /** Number with at most n significant digits, without trailing zeros. */
-export const short = (x, n = 5) => {
+const short = (x, n = 5) => {
   if (!Number.isFinite(x)) return "–";
   const [digits, power] = String(Number(x.toPrecision(n))).replace("-", "−").split("e");
   return power === undefined ? digits : `${digits} · 10${superscript(power)}`;
@@ -16,7 +16,7 @@ export const short = (x, n = 5) => {
 const superscript = (power) => [...power.replace("+", "").replace("-", "−")].map((c) => "⁰¹²³⁴⁵⁶⁷⁸⁹"[c] ?? "⁻").join("");
 
 /** A complex number in rectangular form. */
-export const complexText = ([re, im]) => {
+const complexText = ([re, im]) => {
   const size = decimals(Math.abs(im));
   const minus = im < 0 && Number(size) !== 0;
   return `${decimals(re)} ${minus ? "−" : "+"} ${size} i`;
@@ -26,23 +26,23 @@ export const complexText = ([re, im]) => {
 const PURE = ["", "°", "turns", "weights", "rad"];
 
 /** Name of a unit; empty if it depends on the units of a scenario and the scenario has none. */
-export const unitName = (unit, { units }) => (units === "none" && !PURE.includes(unit) ? "" : unit);
+const unitName = (unit, { units }) => (units === "none" && !PURE.includes(unit) ? "" : unit);
 
 /** Length with its unit: mm below one metre, otherwise m. */
-export function lengthText(metres, scenario) {
+function lengthText(metres, scenario) {
   if (scenario.units === "none") return short(metres, 3);
   const [scale, unit] = Math.abs(metres) < 1 ? [1e3, "mm"] : [1, "m"];
   return `${short(metres * scale, 3)} ${unit}`;
 }
 
 /** The largest of 1, 2 and 5 times a power of ten that is at most x. */
-export function roundBelow(x) {
+function roundBelow(x) {
   const power = 10 ** Math.floor(Math.log10(x));
   return power * ([5, 2, 1].find((digit) => digit * power <= x * (1 + 1e-12)) ?? 1);
 }
 
 /** Number of a typed text, with a point or a comma; NaN if the text is no number. */
-export function numberOf(text) {
+function numberOf(text) {
   const trimmed = text.trim().replace(",", ".").replace("−", "-");
   return /^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(trimmed) ? Number(trimmed) : NaN;
 }

@@ -1,8 +1,5 @@
 // Top, pendulum and spheroid are drawn as bodies of revolution, whose marks show the spin.
 
-import { dot, sum, unit } from "./geometry.js";
-import { stroke, trace } from "./canvas.js";
-
 /** Outline of the top from the tip up: heights in units of s (the centre of mass is at 1), radii in units of the greatest. */
 const OUTLINE = [
   [0, 0], [0.02, 0.035], [0.1, 0.05], [0.3, 0.13], [0.5, 0.3], [0.68, 0.58], [0.8, 0.84], [0.9, 0.97], [0.99, 1],
@@ -12,10 +9,10 @@ const OUTLINE = [
 const STEM = [[1.36, 0.085], [1.5, 0.065], [1.68, 0.062], [1.74, 0.085], [1.79, 0.09], [1.83, 0.075], [1.85, 0]];
 const STEM_FROM = 1.3;
 
-export const SECTORS = 48;
+const SECTORS = 48;
 /** Number of sectors that a face covers, by its radius, so that its edge is at most 0.01 from the circle. */
 const sectorsAt = (radius) => (radius < 0.14 ? 4 : radius < 0.5 ? 2 : 1);
-export const PAINT = { red: [196, 58, 43], cream: [246, 232, 202], wood: [205, 152, 92], metal: [150, 158, 168], mark: [38, 84, 160] };
+const PAINT = { red: [196, 58, 43], cream: [246, 232, 202], wood: [205, 152, 92], metal: [150, 158, 168], mark: [38, 84, 160] };
 
 /** Colour at a height and a sector: rings, which look the same at every angle, and petals and a stripe, which show the rotation. */
 function paint(height, sector) {
@@ -48,7 +45,7 @@ function smooth(points, length) {
 }
 
 /** Body of revolution in body coordinates: rings of points, all points, and faces, whose corners are indices of points. */
-export function bodyOf(outline, colourAt) {
+function bodyOf(outline, colourAt) {
   const angle = (sector) => (2 * Math.PI * (sector - SECTORS / 24)) / SECTORS;
   const ring = ([z, r]) => Array.from({ length: SECTORS }, (_, i) => [r * Math.cos(angle(i)), r * Math.sin(angle(i)), z]);
   const rings = outline.map(ring);
@@ -69,13 +66,13 @@ export function bodyOf(outline, colourAt) {
 }
 
 /** Top with this greatest radius, in units of s. */
-export function turnedTop(breadth) {
+function turnedTop(breadth) {
   const outline = smooth([...OUTLINE.map(([z, r]) => [z, Math.max(r * breadth, z > 1 ? 0.09 : 0)]), ...STEM], 0.085);
   return bodyOf(outline, paint);
 }
 
 /** Rod with a ball at its end, which is drawn for a body without an axial moment of inertia. */
-export function pendulum() {
+function pendulum() {
   const ball = Array.from({ length: 15 }, (_, i) => (Math.PI * (i / 14 - 0.5))).map((t) => [1 + 0.2 * Math.sin(t), Math.max(0.03, 0.2 * Math.cos(t))]);
   return bodyOf([[0, 0], [0.02, 0.03], [0.4, 0.03], ...ball, [1.2, 0]], (height, sector) => {
     if (height < 0.81) return PAINT.metal;
@@ -84,10 +81,10 @@ export function pendulum() {
 }
 
 /** Half the height and the radius of a spheroid, from their quotient; the larger is 1. */
-export const spheroidSize = (slenderness) => [Math.max(0.05, Math.min(1, slenderness)), Math.max(0.05, Math.min(1, 1 / slenderness))];
+const spheroidSize = (slenderness) => [Math.max(0.05, Math.min(1, slenderness)), Math.max(0.05, Math.min(1, 1 / slenderness))];
 
 /** Free body: a homogeneous spheroid about its centre of mass, with this quotient of half the height and the radius. */
-export function spheroid(slenderness) {
+function spheroid(slenderness) {
   const [half, radius] = spheroidSize(slenderness);
   const outline = Array.from({ length: 25 }, (_, i) => Math.PI * (i / 24 - 0.5)).map((t) => [half * Math.sin(t), radius * Math.cos(t)]);
   return bodyOf(outline, (height, sector, r) => {
@@ -106,7 +103,7 @@ function light(camera) {
  * Visible faces, the farthest first. `toSpace` takes points from body to fixed coordinates, and `rotate` directions. The loops of this
  * file visit hundreds of faces for each picture; they make few temporary arrays, for speed.
  */
-export function seenFaces(camera, body, { toSpace, rotate }) {
+function seenFaces(camera, body, { toSpace, rotate }) {
   const space = body.points.map(toSpace);
   const pixels = space.map((point) => camera.project(point));
   const seen = [];
@@ -157,7 +154,7 @@ function traceFace(pen, outline) {
   pen.closePath();
 }
 
-export function drawFaces(pen, camera, faces, side) {
+function drawFaces(pen, camera, faces, side) {
   const lamp = light(camera);
   const half = unit(sum(lamp, camera.back));
   for (const { face, n } of faces.seen) {
@@ -174,7 +171,7 @@ export function drawFaces(pen, camera, faces, side) {
 }
 
 /** Draws the shadow of the body on the plane, with the light vertically above. */
-export function drawShadow(pen, camera, body, toSpace, style) {
+function drawShadow(pen, camera, body, toSpace, style) {
   pen.beginPath();
   for (const ring of body.rings.filter((_, i) => i % 2 === 1)) {
     ring.map(toSpace).forEach(([x, y], i) => {
@@ -189,7 +186,7 @@ export function drawShadow(pen, camera, body, toSpace, style) {
 }
 
 /** Draws the comparison top: some rings of the body and its axis, without faces. */
-export function drawComparison(pen, camera, body, toSpace, style) {
+function drawComparison(pen, camera, body, toSpace, style) {
   const last = body.rings.length - 1;
   for (const ring of body.rings.filter((_, i) => i % 3 === 1)) {
     trace(pen, ring.map((point) => camera.project(toSpace(point))), true);

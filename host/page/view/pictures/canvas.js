@@ -1,14 +1,14 @@
 // Every picture takes its size and colours, and draws its lines and words, by these functions.
 
 /** Colours of the style sheet, for the light or the dark appearance. */
-export function palette() {
+function palette() {
   const style = getComputedStyle(document.documentElement);
   const names = "card ground rim grid bound tip axis ink faint sphere stand shine pin comparison".split(" ");
   return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()]));
 }
 
 /** Number of CSS pixels of a unit of the pictures, which scale with the font size of the page. */
-export const unitOf = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
+const unitOf = () => parseFloat(getComputedStyle(document.documentElement).fontSize) / 16;
 
 /** Width and height of a canvas in units of the pictures, and that unit. */
 function measured(canvas) {
@@ -17,12 +17,12 @@ function measured(canvas) {
 }
 
 /** Sizes of the canvases at their last layout; a query for each picture would cause a layout of the page for each picture. */
-export const sizes = new WeakMap();
+const sizes = new WeakMap();
 
-export const sizeOf = (canvas) => (sizes.get(canvas) ?? measured(canvas)).size;
+const sizeOf = (canvas) => (sizes.get(canvas) ?? measured(canvas)).size;
 
 /** Measures the canvases after each layout, and has them drawn. */
-export function listenToSizes(canvases, redraw) {
+function listenToSizes(canvases, redraw) {
   const observer = new ResizeObserver((entries) => {
     for (const { target } of entries) sizes.set(target, measured(target));
     redraw();
@@ -31,7 +31,7 @@ export function listenToSizes(canvases, redraw) {
 }
 
 /** Clears a canvas at the resolution of the screen, and returns its drawing context and its size. */
-export function sheet(canvas, ground) {
+function sheet(canvas, ground) {
   const { size, unit } = sizes.get(canvas) ?? measured(canvas);
   const ratio = (window.devicePixelRatio || 1) * unit;
   const [width, height] = size.map((length) => Math.max(1, Math.round(length * ratio)));
@@ -49,13 +49,13 @@ export function sheet(canvas, ground) {
  * @param {any} pen
  * @param {number[][]} pixels
  */
-export function trace(pen, pixels, closed = false) {
+function trace(pen, pixels, closed = false) {
   pen.beginPath();
   pixels.forEach(([x, y], i) => (i ? pen.lineTo(x, y) : pen.moveTo(x, y)));
   if (closed) pen.closePath();
 }
 
-export function stroke(pen, style, width, dash = []) {
+function stroke(pen, style, width, dash = []) {
   Object.assign(pen, { strokeStyle: style, lineWidth: width });
   pen.setLineDash(dash);
   pen.stroke();
@@ -67,7 +67,7 @@ export function stroke(pen, style, width, dash = []) {
  * @param {any} pen
  * @param {number[]} pixel
  */
-export function disc(pen, [x, y], radius, style) {
+function disc(pen, [x, y], radius, style) {
   pen.beginPath();
   pen.arc(x, y, radius, 0, 2 * Math.PI);
   pen.fillStyle = style;
@@ -75,7 +75,7 @@ export function disc(pen, [x, y], radius, style) {
 }
 
 /** Draws a trail in parts, the older the fainter. `seen` returns the opacity at a point, 0 for a hidden one. */
-export function fading(pen, pixels, style, width, seen = (_pixel) => 1) {
+function fading(pen, pixels, style, width, seen = (_pixel) => 1) {
   const parts = Math.min(40, pixels.length - 1);
   for (let part = 0; part < parts; part++) {
     const [from, to] = [part, part + 1].map((n) => Math.floor((n * (pixels.length - 1)) / parts));
@@ -91,6 +91,6 @@ export function fading(pen, pixels, style, width, seen = (_pixel) => 1) {
 }
 
 /** Sets colour, alignment and size of words. */
-export function write(pen, style, align, size = 12) {
+function write(pen, style, align, size = 12) {
   Object.assign(pen, { font: `${size}px system-ui, sans-serif`, textAlign: align, fillStyle: style });
 }

@@ -1,13 +1,7 @@
 // The charts show tilt and precession against time, over the interval that the slider covers.
 
-import { roundBelow, short } from "../motion/text.js";
-import { azimuthOf, degrees, tiltOf } from "../motion/angles.js";
-import { isVertical } from "../motion/facts.js";
-import { disc, stroke, trace, write } from "./canvas.js";
-import { DASHES } from "./scene.js";
-
 /** Multiples of a round step in a range, about `most` or fewer. */
-export function ticksIn(low, high, most) {
+function ticksIn(low, high, most) {
   const step = roundBelow((2.5 * (high - low)) / most) || 1;
   const first = Math.ceil(low / step - 1e-9);
   return Array.from({ length: Math.max(0, Math.floor(high / step + 1e-9) - first + 1) }, (_, i) => (first + i) * step);
@@ -34,7 +28,7 @@ function withMargin(values) {
   return [low - room, high + room];
 }
 
-export const CHARTS = {
+const CHARTS = {
   tilt: { name: "tilt in °", values: ({ points }) => points.map(({ axis }) => tiltOf(axis)) },
   precession: {
     name: "azimuth of the axis in °",
@@ -42,7 +36,7 @@ export const CHARTS = {
   },
 };
 
-export function drawChart({ pen, size: [width, height] }, { scene, scenario, interval, t, colours }, kind) {
+function drawChart({ pen, size: [width, height] }, { scene, scenario, interval, t, colours }, kind) {
   if (kind === "precession" && isVertical(scene.constants.regime)) {
     write(pen, colours.faint, "center");
     pen.fillText("The axis is vertical: it has no azimuth.", 0.5 * width, 0.5 * height);

@@ -1,7 +1,7 @@
 // Rotations turn points of the body into space, and the camera projects them onto the picture.
 
 /** Rotation x = Φ X Φ⁻¹ as a function from body to fixed coordinates; the third body axis is the top's axis. */
-export function rotation({ alpha: [a, b], beta: [c, d], u }) {
+function rotation({ alpha: [a, b], beta: [c, d], u }) {
   // α², β², αβ and α times β conjugate
   const [aa, bb] = [[a * a - b * b, 2 * a * b], [c * c - d * d, 2 * c * d]];
   const [product, mixed] = [[a * c - b * d, a * d + b * c], [a * c + b * d, b * c - a * d]];
@@ -13,12 +13,12 @@ export function rotation({ alpha: [a, b], beta: [c, d], u }) {
   return Object.assign(rotate, { axis });
 }
 
-export const dot = (x, y) => x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-export const sum = (x, y, k = 1) => [x[0] + k * y[0], x[1] + k * y[1], x[2] + k * y[2]];
-export const unit = (x) => x.map((coordinate) => coordinate / Math.hypot(...x));
+const dot = (x, y) => x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+const sum = (x, y, k = 1) => [x[0] + k * y[0], x[1] + k * y[1], x[2] + k * y[2]];
+const unit = (x) => x.map((coordinate) => coordinate / Math.hypot(...x));
 
 /** Perspective view of `target` from an azimuth and an elevation, in which a sphere of radius `reach` about `target` fits the picture. */
-export class Camera {
+class Camera {
   constructor({ azimuth, elevation }, target, reach, [width, height]) {
     const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
     this.back = [ce * ca, ce * sa, se];
@@ -45,7 +45,7 @@ export class Camera {
 }
 
 /** Points of a horizontal circle in space, at equal angles. */
-export function circle(radius, height, corners = 120) {
+function circle(radius, height, corners = 120) {
   const corner = (_, i) => (2 * Math.PI * i) / corners;
   return Array.from({ length: corners + 1 }, corner).map((t) => [radius * Math.cos(t), radius * Math.sin(t), height]);
 }

@@ -1,9 +1,5 @@
 // A top whose tip is held is drawn as a gyroscope on its stand.
 
-import { circle, unit } from "./geometry.js";
-import { disc, stroke, trace } from "./canvas.js";
-import { bodyOf, PAINT, SECTORS } from "./body.js";
-
 /** Outline of axle, hub and wheel from the pivot up: heights and radii in units of the distance to the centre of mass. */
 function wheelOutline(breadth) {
   const [inner, outer, half] = [0.8 * breadth, breadth, 0.1];
@@ -24,23 +20,23 @@ function paintWheel(sector, radius, breadth) {
   return sector % (SECTORS / 4) < SECTORS / 8 ? PAINT.red : PAINT.cream;
 }
 
-export function gyroscope(breadth) {
+function gyroscope(breadth) {
   return bodyOf(wheelOutline(breadth), (_height, sector, radius) => paintWheel(sector, radius, breadth));
 }
 
 /** Height of the table below the stand, low enough for the body to pass above it. */
-export const TABLE_BELOW = -1.45;
+const TABLE_BELOW = -1.45;
 /** Height of the arm for a body that hangs and never rises far. */
 const ARM_ABOVE = 1.35;
 
 /** Support of the tip: an arm above a hanging body, a bracket behind one that passes near its lowest position and rises, otherwise a post. */
-export function standOf({ e: [low, high] }) {
+function standOf({ e: [low, high] }) {
   if (low + high < -0.6) return "arm";
   return low < -0.75 ? "bracket" : "post";
 }
 
 /** Draws the stand, and a pin at the pivot. */
-export function drawStand(pen, camera, scene, colours) {
+function drawStand(pen, camera, scene, colours) {
   const project = (point) => camera.project(point);
   const line = (points, width, style) => {
     trace(pen, points.map(project));

@@ -1,11 +1,6 @@
 // The plane from above shows the tip curve between its bounding circles, with their names and a scale.
 
-import { lengthText, roundBelow, short } from "../motion/text.js";
-import { circle } from "./geometry.js";
-import { disc, fading, stroke, trace, write } from "./canvas.js";
-import { greatestRadius } from "./scene.js";
-
-export function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, colours, comparison }) {
+function drawPlan({ pen, size: [width, height] }, { scene, scenario, now, past, colours, comparison }) {
   const most = greatestRadius(scene) || 1;
   const scale = (0.5 * Math.min(width, height) - 26) / most;
   const project = ([x, y]) => [0.5 * width + scale * x, 0.5 * height - 6 - scale * y];

@@ -1,17 +1,14 @@
 // Points of the motion are computed once and kept.
 
-import { COORDINATES, MAX_POINTS } from "../motion/core.js";
-import { rotation } from "./geometry.js";
-
 /** State of a motion at a time, with its rotation from body to fixed coordinates. Lengths are in units of s. */
-export function drawnPose(scene, pose) {
+function drawnPose(scene, pose) {
   const rotate = rotation(pose);
   const foot = scene.slides ? pose.tip.map((x) => x / scene.scale) : pose.axis.slice(0, 2);
   return { pose, rotate, axis: pose.axis, foot };
 }
 
 /** Points of the motion at whole multiples of a time step, each computed once. */
-export class Points {
+class Points {
   constructor(core, scene) {
     this.core = core;
     this.scene = scene;
@@ -58,6 +55,6 @@ function pointOf(scene, numbers, i) {
 }
 
 /** Points of the interval that the slider covers. */
-export function intervalOf(points, { span, parts }, number) {
+function intervalOf(points, { span, parts }, number) {
   return { number, from: number * span, to: (number + 1) * span, points: points.between(number * parts, (number + 1) * parts) };
 }

@@ -1,10 +1,6 @@
 // The reduced motion is that of a point of energy 0 in the potential -f(u) = -(u - e₁)(u - e₂)(u - e₃), whose roots can be dragged. Without
 // torque there is no e₃, and the potential is (u - e₁)(u - e₂).
 
-import { short } from "../motion/text.js";
-import { disc, stroke, trace, write } from "./canvas.js";
-import { ticksIn } from "./charts.js";
-
 /** Share of the width in which the well and its surroundings are drawn to scale. */
 const TO_SCALE = 0.74;
 
@@ -14,7 +10,7 @@ const potentialAt = (u, [e1, e2, e3]) => (u - e1) * (u - e2) * (e3 === undefined
  * Maps between u or its potential and the picture. The well and its surroundings are to scale; the rest of the u axis, with e₃, is
  * compressed into the remaining width.
  */
-export function potentialLayout([width, height], [e1, e2, e3]) {
+function potentialLayout([width, height], [e1, e2, e3]) {
   const [left, right, top, bottom] = [14, width - 14, 22, height - 34];
   const room = 0.7 * Math.max(e2 - e1, 0.04);
   const [from, to] = [Math.max(-1.03, e1 - room), Math.min(1.03, e2 + room)];
@@ -36,9 +32,9 @@ export function potentialLayout([width, height], [e1, e2, e3]) {
 }
 
 /** Layout at the start of a drag, kept until its end so that the axis does not move under the pointer. */
-export const dragged = { layout: null };
+const dragged = { layout: null };
 
-export function drawPotential({ pen, size }, { scene, now, colours }) {
+function drawPotential({ pen, size }, { scene, now, colours }) {
   const layout = dragged.layout ?? potentialLayout(size, scene.e);
   const { x, u, zero, range, edges: [left, right, top, bottom] } = layout;
   const depths = potentialLayout(size, scene.e);

@@ -1,13 +1,7 @@
 // A scene has what the pictures need of a motion besides its states: bounds, times, and the size of the body.
 
-import { roundBelow } from "../motion/text.js";
-import { SUPPORTS } from "../motion/core.js";
-import { isTorqueFree, isVertical } from "../motion/facts.js";
-import { pendulum, spheroid, spheroidSize, turnedTop } from "./body.js";
-import { gyroscope } from "./gyroscope.js";
-
 /** Line styles of the bounds in all pictures: solid, dashed, dotted. */
-export const DASHES = [[], [5, 4], [1, 4]];
+const DASHES = [[], [5, 4], [1, 4]];
 
 /** Bounding circles of the tip curve in units of s, by name; none where the tip rests. */
 function circlesOf({ regime, e1, e2, min_tilt_deg, max_tilt_deg }) {
@@ -21,7 +15,7 @@ function circlesOf({ regime, e1, e2, min_tilt_deg, max_tilt_deg }) {
 }
 
 /** Radius within which the plane has to be visible, in units of s. */
-export const greatestRadius = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
+const greatestRadius = ({ circles }) => circles.reduce((most, { radius }) => Math.max(most, radius), circles.length ? 0 : 0.25);
 
 /**
  * Number of parts in which the pictures draw a motion. It is greater near the separatrix, where the axis rests for most of the period and
@@ -76,7 +70,7 @@ function momentumOf({ m_x, m_y, m_z }) {
   return size > 0 ? [m_x / size, m_y / size, m_z / size] : null;
 }
 
-export function sceneOf(constants) {
+function sceneOf(constants) {
   const { s, e1, e2, e3, span } = constants;
   const support = SUPPORTS[constants.support];
   const slides = support === "sliding";

@@ -1,11 +1,7 @@
 // The axis draws a curve on the unit sphere.
 
-import { Camera, circle, dot } from "./geometry.js";
-import { disc, fading, sheet, stroke, trace } from "./canvas.js";
-import { DASHES } from "./scene.js";
-
 /** Draws the curve of the axis on the unit sphere, seen from the azimuth of the 3-D picture. */
-export function drawSphere(canvas, { scene, now, past, view, colours, comparison }) {
+function drawSphere(canvas, { scene, now, past, view, colours, comparison }) {
   const { pen, size } = sheet(canvas, colours.card);
   // the elevation is greater than in the 3-D picture, because most curves are near the upper pole
   const camera = new Camera({ ...view, elevation: Math.min(1.5, view.elevation + 0.4) }, [0, 0, 0], 1.09, size);

@@ -1,6 +1,6 @@
 // Drawing context that writes SVG. It has the methods of a canvas that the flat pictures use, so that one function draws on both.
 
-export class SvgPen {
+class SvgPen {
   path = "";
   dash = [];
   globalAlpha = 1;

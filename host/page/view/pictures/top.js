@@ -1,11 +1,5 @@
 // The 3-D picture shows the top on its plane, the gyroscope on its stand, or the free body.
 
-import { Camera, circle, dot, sum } from "./geometry.js";
-import { disc, fading, sheet, stroke, trace } from "./canvas.js";
-import { drawFaces, drawComparison, drawShadow, seenFaces } from "./body.js";
-import { drawStand, standOf, TABLE_BELOW } from "./gyroscope.js";
-import { DASHES, greatestRadius } from "./scene.js";
-
 /** Position of the tip in units of s; the tip of a held top and the centre of mass of a free body are at the origin. */
 const baseOf = (scene, { foot: [x, y] }) => (scene.slides ? [x, y, 0] : [0, 0, 0]);
 const endOf = (scene, state) => sum(baseOf(scene, state), state.axis, scene.shape.stick[1]);
@@ -42,7 +36,7 @@ function drawPlane(pen, project, size, colours, radius, height) {
   }
 }
 
-export function drawScene(canvas, frame) {
+function drawScene(canvas, frame) {
   const { scene, now, colours } = frame;
   const { pen, size } = sheet(canvas, colours.card);
   const camera = cameraOf(frame, size);

@@ -49,9 +49,6 @@ const SCRIPTS: [&str; 2] = [include_str!("browser/probes.js"), include_str!("bro
 /// Result of a call of a function of [`SCRIPTS`]. It goes through the element `probe`.
 fn probe(page: &Path, call: &str, width: u32, fragment: &str) -> Value {
     let html = std::fs::read_to_string(page).expect("the page");
-    // as the page, a probe is one script without modules
-    let lines = SCRIPTS.iter().flat_map(|script| script.lines()).filter(|line| !line.starts_with("import "));
-    let scripts: Vec<_> = lines.map(|line| line.strip_prefix("export ").unwrap_or(line)).collect();
     let probe = format!(
         "<pre id=\"result\"></pre><script>{}
 addEventListener(\"load\", async () => {{
@@ -62,7 +59,7 @@ addEventListener(\"load\", async () => {{
   element(\"result\").id = \"probe\";
 }});
 </script></body>",
-        scripts.join("\n")
+        SCRIPTS.join("\n")
     );
     let html = html.replace("<head>", &format!("<head><script>{FRAMES}</script>")).replace("</body>", &probe);
     let probed_page = page.with_extension("probe.html");

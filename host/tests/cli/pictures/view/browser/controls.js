@@ -1,20 +1,7 @@
 // The page and its controls are operated.
 
-import { picture, set, settled } from "./probes.js";
-import { CONTROLS, typed } from "../../../../../page/view/interaction/controls.js";
-import { element, elements } from "../../../../../page/view/interaction/document.js";
-import { canFilm, svgOf } from "../../../../../page/view/interaction/save.js";
-import { clock, scene, shown, state } from "../../../../../page/view/interaction/state.js";
-import { coneAngle, tiltAt } from "../../../../../page/view/motion/facts.js";
-import { complexText, decimals } from "../../../../../page/view/motion/text.js";
-import { sizeOf, unitOf } from "../../../../../page/view/pictures/canvas.js";
-import { CHARTS } from "../../../../../page/view/pictures/charts.js";
-import { dot } from "../../../../../page/view/pictures/geometry.js";
-import { drawPlan } from "../../../../../page/view/pictures/plan.js";
-import { potentialLayout } from "../../../../../page/view/pictures/potential.js";
-
 /** Operates the page and its controls. Each entry of the result is a sentence that must be true. */
-export async function operate() {
+async function operate() {
   const facts = {};
   const key = (target, key) => target.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true }));
   const main = element("scene-picture");

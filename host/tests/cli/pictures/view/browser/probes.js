@@ -1,29 +1,23 @@
 // The page is read and operated by these functions, which run after its script.
 
-import { CONTROLS } from "../../../../../page/view/interaction/controls.js";
-import { element, elements } from "../../../../../page/view/interaction/document.js";
-import { addressFragment, clock, play, scene, show, shown, state } from "../../../../../page/view/interaction/state.js";
-import { summaryOf } from "../../../../../page/view/motion/facts.js";
-import { toToml } from "../../../../../page/view/motion/scenario.js";
-
-export const settled = () => new Promise((done) => setTimeout(done, 300));
-export const pixels = (canvas) => {
+const settled = () => new Promise((done) => setTimeout(done, 300));
+const pixels = (canvas) => {
   const { width, height } = canvas;
   const copy = Object.assign(document.createElement("canvas"), { width, height }).getContext("2d", { willReadFrequently: true });
   copy.drawImage(canvas, 0, 0);
   return copy.getImageData(0, 0, width, height).data;
 };
-export const picture = (canvas) => pixels(canvas).reduce((hash, byte) => (Math.imul(hash, 31) + byte) | 0, 0);
-export const colours = () => elements("canvas").map((canvas) => new Set(new Uint32Array(pixels(canvas).buffer)).size);
-export const facts = () => Object.fromEntries(elements("tr").map((row) => [...row.children].map((cell) => cell.textContent)));
-export const set = async (id, value, event) => {
+const picture = (canvas) => pixels(canvas).reduce((hash, byte) => (Math.imul(hash, 31) + byte) | 0, 0);
+const colours = () => elements("canvas").map((canvas) => new Set(new Uint32Array(pixels(canvas).buffer)).size);
+const facts = () => Object.fromEntries(elements("tr").map((row) => [...row.children].map((cell) => cell.textContent)));
+const set = async (id, value, event) => {
   element(id).value = value;
   element(id).dispatchEvent(new Event(event, { bubbles: true }));
   await settled();
 };
 
 /** Goes to each time by the address. Returns the data that are shown. */
-export async function shownAt(times) {
+async function shownAt(times) {
   const results = [];
   for (const t of times) {
     location.hash = `t=${t}`;
@@ -36,7 +30,7 @@ export async function shownAt(times) {
 }
 
 /** Moves every slider. Returns the data that are shown, the scenario file, and the address. */
-export async function moveSliders() {
+async function moveSliders() {
   const results = [];
   play(false);
   for (const control of CONTROLS.filter(({ row }) => !row.hidden)) {
@@ -55,13 +49,13 @@ export async function moveSliders() {
 }
 
 /** Data that are shown, and the settings. */
-export function restored() {
+function restored() {
   const { pose } = shown;
   return { ...pose, t: state.t, playing: clock.playing, fragment: addressFragment(), speed: state.speed, comparison: shown.frame.comparison.axis };
 }
 
 /** Goes to each address. Returns the messages, and the spins. */
-export async function visit(fragments) {
+async function visit(fragments) {
   const found = [];
   play(false);
   for (const fragment of fragments) {
@@ -73,7 +67,7 @@ export async function visit(fragments) {
 }
 
 /** Summaries of a motion in each regime, and all words of the page. */
-export function describe(regimes) {
+function describe(regimes) {
   play(false);
   const found = regimes.map((regime) => summaryOf({ ...scene.constants, regime }));
   const definitions = elements("[data-define]").map((term) => term.dataset.define);
