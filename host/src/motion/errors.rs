@@ -2,7 +2,6 @@
 
 use super::sample::MotionSample;
 use nalgebra::Vector3;
-use std::array::from_fn;
 use toytop::{Motion, Orientation, Top};
 use toytop_model::equations::{Equations, FullState, Rates};
 
@@ -40,8 +39,8 @@ pub struct Errors {
     pub tip: f64,
     /// Error of the norm |α|² + |β|².
     pub norm: f64,
-    /// Drifts of l, n and h, from α, β and Ω in `f64`.
-    pub drift: [f64; 3],
+    /// Drifts, from α, β and Ω in `f64`.
+    pub drift: Drifts,
 }
 
 impl Errors {
@@ -54,7 +53,7 @@ impl Errors {
             u: (sample.pose.u - truth.u()).abs(),
             tip: tip.modulus(),
             norm: (orientation.norm_squared() - 1.0).abs(),
-            drift: drift(motion, &orientation, orientation.adjoint(sample.rates.omega_body)),
+            drift: Drifts::new(motion, &orientation, orientation.adjoint(sample.rates.omega_body)),
         }
     }
 
@@ -65,7 +64,7 @@ impl Errors {
             u: greater_or_infinite(self.u, other.u),
             tip: greater_or_infinite(self.tip, other.tip),
             norm: greater_or_infinite(self.norm, other.norm),
-            drift: from_fn(|i| greater_or_infinite(self.drift[i], other.drift[i])),
+            drift: self.drift.greater(other.drift),
         }
     }
 }
@@ -82,9 +81,9 @@ fn first_integrals(top: &Top, orientation: &Orientation<f64>, omega: [f64; 3]) -
     Equations::new(top, &state).first_integrals(&state)
 }
 
-/// Units of the drifts of l, n and h: max(|l|, |n|, √(2 A p g)) for l and n, max(|h|, p g) for h. Without torque, √(2 A |h|) takes the
+/// Units of the drifts: max(|l|, |n|, √(2 A p g)) for l and n, and max(|h|, p g) for h. Without torque, √(2 A |h|) takes the
 /// place of √(2 A p g).
-fn natural_scales(motion: &Motion) -> [f64; 3] {
+fn natural_scales(motion: &Motion) -> (f64, f64) {
     let (top, constants) = (motion.top(), motion.first_integrals());
     let weight = top.mass_moment() * top.gravity();
     let a = top.transverse_inertia();
@@ -92,15 +91,37 @@ fn natural_scales(motion: &Motion) -> [f64; 3] {
     let energy = weight.max(constants.h.abs()).max(f64::MIN_POSITIVE);
     let momentum = (2.0 * a * weight).sqrt().max(constants.l.abs()).max(constants.n.abs());
     let momentum = if top.is_torque_free() { momentum.max((2.0 * a * energy).sqrt()) } else { momentum };
-    [momentum, momentum, energy]
+    (momentum, energy)
 }
 
-/// Differences of l, n and h between a state and a motion, in units of their natural scales.
-pub fn drift(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> [f64; 3] {
-    let (constants, scales) = (motion.first_integrals(), natural_scales(motion));
-    let exact = [constants.l, constants.n, constants.h];
-    let integrals = first_integrals(motion.top(), orientation, omega);
-    from_fn(|i| (integrals[i] - exact[i]).abs() / scales[i])
+/// Differences of the first integrals between a state and a motion, in units of their natural scales.
+#[derive(Clone, Copy, Default)]
+pub struct Drifts {
+    /// Difference of the vertical angular momentum.
+    pub l: f64,
+    /// Difference of the axial angular momentum.
+    pub n: f64,
+    /// Difference of the energy.
+    pub h: f64,
+}
+
+impl Drifts {
+    /// Drifts of this orientation and angular velocity in the fixed frame, rad per unit time.
+    pub fn new(motion: &Motion, orientation: &Orientation<f64>, omega: [f64; 3]) -> Self {
+        let (exact, (momentum, energy)) = (motion.first_integrals(), natural_scales(motion));
+        let [l, n, h] = first_integrals(motion.top(), orientation, omega);
+        let drift = |found: f64, exact: f64, scale: f64| (found - exact).abs() / scale;
+        Self { l: drift(l, exact.l, momentum), n: drift(n, exact.n, momentum), h: drift(h, exact.h, energy) }
+    }
+
+    /// Greater drifts of two states.
+    pub fn greater(self, other: Self) -> Self {
+        Self {
+            l: greater_or_infinite(self.l, other.l),
+            n: greater_or_infinite(self.n, other.n),
+            h: greater_or_infinite(self.h, other.h),
+        }
+    }
 }
 
 #[cfg(test)]

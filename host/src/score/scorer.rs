@@ -5,10 +5,9 @@ use super::trajectory::{Trajectory, TrajectoryRow};
 use crate::Failure;
 use crate::input::require_within;
 use crate::motion::Scalar;
-use crate::motion::errors::{distance, drift, greater_or_infinite};
+use crate::motion::errors::{Drifts, distance, greater_or_infinite};
 use crate::motion::evaluator::MotionEvaluator;
 use serde::Serialize;
-use std::array::from_fn;
 use std::f64::consts::PI;
 use toytop::Orientation;
 use toytop_model::timed_motion::TimedMotion;
@@ -75,7 +74,7 @@ impl Scorer {
             .map_err(|failure| failure.with_context(&format!("{name}: t")))?;
         let errors: Vec<_> = rows.iter().map(|row| self.errors(row)).collect();
         let mean_square = errors.iter().map(|[error, _]| error * error).sum::<f64>() / rows.len() as f64;
-        let [drift_l, drift_n, drift_h] = self.drifts(rows).map_or([None; 3], |drifts| drifts.map(Some));
+        let drifts = self.drifts(rows);
         Ok(Score {
             max_error_rad: greatest(errors.iter().map(|[error, _]| *error)),
             rms_error_rad: mean_square.sqrt(),
@@ -83,9 +82,9 @@ impl Scorer {
             max_u_error: greatest(errors.iter().map(|[_, u_error]| *u_error)),
             max_tip_error: rows.iter().filter_map(|row| self.tip_error(row)).reduce(greater_or_infinite),
             phases: phases::phase_errors(&self.evaluator, rows),
-            drift_h,
-            drift_l,
-            drift_n,
+            drift_h: drifts.map(|drifts| drifts.h),
+            drift_l: drifts.map(|drifts| drifts.l),
+            drift_n: drifts.map(|drifts| drifts.n),
             max_norm_error: greatest(rows.iter().map(|row| row.norm_error)),
             truth_bound_rad: self.evaluator.error_bound.after(furthest * self.evaluator.ticks_per_time),
             warning: rows.first().and_then(|row| self.warning(row)),
@@ -104,11 +103,10 @@ impl Scorer {
         Some((x - exact.re).hypot(y - exact.im))
     }
 
-    /// Greatest drifts of l, n and h.
-    fn drifts(&self, rows: &[TrajectoryRow]) -> Option<[f64; 3]> {
-        rows.iter().try_fold([0.0; 3], |most, row| {
-            let drift = drift(&self.evaluator.motion, &row.orientation, row.omega?);
-            Some(from_fn(|i| greater_or_infinite(most[i], drift[i])))
+    /// Greatest drifts.
+    fn drifts(&self, rows: &[TrajectoryRow]) -> Option<Drifts> {
+        rows.iter().try_fold(Drifts::default(), |most, row| {
+            Some(most.greater(Drifts::new(&self.evaluator.motion, &row.orientation, row.omega?)))
         })
     }
 

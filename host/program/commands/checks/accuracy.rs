@@ -6,7 +6,6 @@ use crate::terminal::parallel::compute_all;
 use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use clap::Args;
-use micromath::F32Ext;
 use serde::Serialize;
 use serde_json::json;
 use std::iter::once;
@@ -79,7 +78,7 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
                 max_orientation_error_rad: errors.orientation,
                 max_tip_error_per_s: errors.tip,
                 max_norm_defect: errors.norm,
-                max_energy_defect: errors.drift[2],
+                max_energy_defect: errors.drift.h,
                 first_tick,
                 last_tick,
             });
@@ -88,35 +87,24 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
     }
     let table_of_totals = |text: fn(f64) -> String| {
         let line = |(scalar, errors): &(&str, Errors)| {
-            let errors = [errors.orientation, errors.tip, errors.norm, errors.drift[2]];
+            let errors = [errors.orientation, errors.tip, errors.norm, errors.drift.h];
             once((*scalar).to_owned()).chain(errors.map(text))
         };
         TextTable::new(1, HEADINGS, totals.iter().map(line))
     };
-    let micromath = format!(
-        "The sine of micromath, an approximation for f32, is off by up to {:.0e}.\n",
-        error_of_micromath()
-    );
     let table = || {
         format!(
             "{}\nThe table in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
-             errors over each octave of ticks. {micromath}",
+             errors over each octave of ticks.\n",
             table_of_totals(output::error_text).aligned(),
         )
     };
     let text = output::render(arguments.format, &json!({ "rows": rows }), &rows, table);
     if let Some(page) = page {
-        let table = table_of_totals(|x| format!("{x:.0e}")).markdown();
-        page.write(&format!("{table}\n{micromath}"))?;
+        page.write(&table_of_totals(|x| format!("{x:.0e}")).markdown())?;
     }
     Ok(text.into())
-}
-
-/// Greatest error of micromath's sine over one turn.
-fn error_of_micromath() -> f64 {
-    let error = |x: f32| (f64::from(F32Ext::sin(x)) - f64::from(x).sin()).abs();
-    (0..=u16::MAX).map(|i| error(1e-4 * f32::from(i))).fold(0.0, f64::max)
 }
 
 /// Errors of each scalar over all motions: at ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.

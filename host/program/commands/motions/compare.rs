@@ -1,6 +1,7 @@
 //! `toytop compare`: errors of the core against the full 3-D equations, for each motion, each scalar and both propagators.
 
 mod bounds;
+mod run;
 
 use crate::arguments::options::{Method, Scalars, scalars};
 use crate::commands::warnings::warnings;
@@ -8,25 +9,21 @@ use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use bounds::{Verdict, bound, compared_time, steps_per_period};
 use clap::Args;
+use run::Run;
 use serde::Serialize;
 use serde_json::json;
 use std::iter::once;
 use std::path::PathBuf;
-use std::time::Instant;
-use toytop::scalar::Real;
 use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::Errors;
-use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::motion::full_solver;
 use toytop_host::motion::sample::MotionSample;
-use toytop_host::motion::stepper::TimedStepper;
 use toytop_host::motion::times::spread_times;
 use toytop_host::output::{self, Format, or_dash, significant};
 use toytop_model::equations::FullState;
-use toytop_model::timed_motion::TimedMotion;
 
 /// Errors of the core against an integration of the full 3-D equations
 ///
@@ -37,7 +34,7 @@ pub struct CompareArgs {
     /// Scenario files; without any, the built-in motions
     #[arg(value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
-    /// Nutation periods to compare over. Without a period, 2 pi sqrt((A/p + s)/g) takes its place
+    /// Nutation periods to compare over; a motion without one takes 2 pi sqrt((A/p + s)/g)
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     periods: u32,
     /// Scalar types of the core
@@ -152,8 +149,6 @@ fn compare<'a>(
     notes: &mut Vec<String>,
 ) -> Result<Vec<Comparison<'a>>, Failure> {
     let (motion, name, periods) = (&scenario.motion, &*scenario.name, arguments.periods);
-    let named = builtin::NEAR_SEPARATRIX.iter().find(|(builtin, ..)| *builtin == name);
-    let builtin_bounds = named.filter(|_| arguments.scenarios.is_empty()).map(|(.., bounds)| *bounds);
     let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
     let times = spread_times(time, SAMPLES * periods);
@@ -163,18 +158,13 @@ fn compare<'a>(
         if !arguments.scalar.0.contains(&scalar) {
             continue;
         }
-        let run = match (method, scalar) {
-            (Method::Table, _) => run_table(scalar, motion, &times),
-            (_, Scalar::F64) => Ok(run_stepper::<f64>(scalar, motion, &times)),
-            _ => Ok(run_stepper::<f32>(scalar, motion, &times)),
-        };
-        let run = run.unwrap_or_else(|failure| {
+        let run = run::run((method, scalar), motion, &times, periods).unwrap_or_else(|failure| {
             notes.push(format!("{name} {}: {failure}", scalar.name()));
-            PropagatorRun::default()
+            Run::default()
         });
         let errors = greatest_errors(scenario, &run.samples, &times, &mut solver_states)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);
-        let bound_rad = bound(motion, (method, scalar), periods, builtin_bounds, run.table_bound);
+        let bound_rad = bound(motion, periods, run.bound);
         rows.push(Comparison {
             motion: name,
             scalar: scalar.name(),
@@ -182,9 +172,9 @@ fn compare<'a>(
             max_orientation_error_rad: error(|errors| errors.orientation),
             max_u_error: error(|errors| errors.u),
             max_tip_error_per_s: error(|errors| errors.tip),
-            h_drift: error(|errors| errors.drift[2]),
-            l_drift: error(|errors| errors.drift[0]),
-            n_drift: error(|errors| errors.drift[1]),
+            h_drift: error(|errors| errors.drift.h),
+            l_drift: error(|errors| errors.drift.l),
+            n_drift: error(|errors| errors.drift.n),
             steps: run.steps,
             table: run.table,
             ns: run.ns,
@@ -193,59 +183,6 @@ fn compare<'a>(
         });
     }
     Ok(rows)
-}
-
-/// Run of the core through the times of a comparison; empty where no table is large enough.
-#[derive(Default)]
-struct PropagatorRun {
-    /// Samples in the order of the times.
-    samples: Vec<MotionSample>,
-    /// Number of steps of a stepper.
-    steps: Option<u64>,
-    /// Segments and terms of a table.
-    table: Option<String>,
-    /// Bound on the error of a table at the last time, rad.
-    table_bound: Option<f64>,
-    /// Median time of a step or of a look-up.
-    ns: Option<f64>,
-}
-
-/// Samples at the times, and the computing time of one, ns: the median of five parts of the times.
-fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> MotionSample) -> (Vec<MotionSample>, f64) {
-    let (mut samples, mut spent) = (Vec::new(), Vec::new());
-    for part in times.chunks(times.len().div_ceil(5)) {
-        let started = Instant::now();
-        samples.extend(part.iter().map(|&t| sample(t)));
-        spent.push(1e9 * started.elapsed().as_secs_f64() / part.len() as f64);
-    }
-    spent.sort_by(f64::total_cmp);
-    (samples, spent[spent.len() / 2])
-}
-
-/// Run of the stepper through the times.
-fn run_stepper<R: Real>(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> PropagatorRun {
-    let step = motion.characteristic_time() / f64::from(steps_per_period(scalar));
-    let mut timed = TimedStepper::<R>::new(motion, step);
-    let (samples, ns) = timed_samples(times, |t| {
-        timed.advance_to(t, |_| ());
-        timed.sample()
-    });
-    let ns = ns * times.len() as f64 / timed.steps.max(1) as f64;
-    PropagatorRun { samples, steps: Some(timed.steps), ns: Some(ns), ..PropagatorRun::default() }
-}
-
-/// Run of a table or a closed form at the times.
-///
-/// # Errors
-/// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-fn run_table(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Result<PropagatorRun, Failure> {
-    let evaluator = MotionEvaluator::new(motion, scalar)?;
-    let (samples, ns) = timed_samples(times, |t| evaluator.at(t));
-    let ticks = times.last().map_or(0.0, |last| last * evaluator.ticks_per_time);
-    let table_bound = Some(evaluator.error_bound.after(ticks));
-    let has_table = evaluator.segments > 0;
-    let table = has_table.then(|| format!("{}x{}", evaluator.segments, evaluator.terms));
-    Ok(PropagatorRun { samples, table, table_bound, ns: Some(ns), steps: None })
 }
 
 /// Greatest errors of samples against the full solver. `None` without samples.

@@ -1,6 +1,5 @@
 //! Bounds on the errors of the core, the verdict by a bound, and the time over which the core is compared.
 
-use crate::arguments::options::Method;
 use serde::Serialize;
 use toytop::{Motion, Regime};
 use toytop_host::motion::Scalar;
@@ -15,16 +14,23 @@ pub fn steps_per_period(scalar: Scalar) -> u32 {
     }
 }
 
-/// Bound on the error of the stepper over ten periods, rad. Near the separatrix the error in f32 was at most 1.1e-4 rad in 180 motions.
-fn stepper_bound(motion: &Motion, scalar: Scalar) -> f64 {
+/// Growth of the errors of steps with time, as a factor from ten periods on.
+fn growth(periods: u32) -> f64 {
+    (f64::from(periods) / 10.0).max(1.0)
+}
+
+/// Bound on the error of the stepper, rad, which grows with time. Near the separatrix the error in f32 over ten periods was at most 1.1e-4
+/// rad in 180 motions.
+pub fn stepper_bound(motion: &Motion, scalar: Scalar, periods: u32) -> f64 {
     /// Upper limit of e₃ - e₂ for motions that count as near the separatrix.
     const NEAR: f64 = 1e-2;
     let near = motion.regime() == Regime::Nutating && motion.branch_points().e3_minus_e2 < NEAR;
-    match scalar {
+    let over_ten_periods = match scalar {
         Scalar::F64 => 1e-10,
         _ if near => 2e-4,
         _ => 2e-5,
-    }
+    };
+    over_ten_periods * growth(periods)
 }
 
 /// Bound on the error of the full solver over ten periods, rad. The full equations amplify rounding by 1/(e₃ - e₂) and by the ratio of the
@@ -49,26 +55,11 @@ const MAX_DISTANCE: f64 = 4.0;
 
 /// Bound on the difference of the core and the full solver, rad; `None` where it exceeds the greatest distance of two orientations.
 ///
-/// * `builtin_bounds`: those of [`NEAR_SEPARATRIX`](toytop_host::input::builtin::NEAR_SEPARATRIX)
-/// * `table`: bound that a table states
+/// * `core`: bound on the error of the core, rad
 ///
-/// Beyond ten periods the bound of the stepper grows with time, and the bound of the full solver, whose energy drifts, with its square.
-pub fn bound(
-    motion: &Motion,
-    (method, scalar): (Method, Scalar),
-    periods: u32,
-    builtin_bounds: Option<[f64; 2]>,
-    table: Option<f64>,
-) -> Option<f64> {
-    let growth = (f64::from(periods) / 10.0).max(1.0);
-    let solver =
-        builtin_bounds.map_or_else(|| full_solver_bound(motion), |[solver, _]| solver) * growth * growth;
-    let core = match (method, builtin_bounds, scalar) {
-        (Method::Table, ..) => table.unwrap_or_default(),
-        (_, Some(_), Scalar::F64) => 0.0,
-        (_, Some([_, stepper]), _) => stepper * growth,
-        (_, None, _) => stepper_bound(motion, scalar) * growth,
-    };
+/// Beyond ten periods the bound of the full solver, whose energy drifts, grows with the square of time.
+pub fn bound(motion: &Motion, periods: u32, core: f64) -> Option<f64> {
+    let solver = full_solver_bound(motion) * growth(periods) * growth(periods);
     Some(core + solver).filter(|bound| *bound < MAX_DISTANCE)
 }
 

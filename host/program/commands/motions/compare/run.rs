@@ -1,0 +1,79 @@
+//! Runs of the core's propagators through the times of a comparison.
+
+use super::bounds::{stepper_bound, steps_per_period};
+use crate::arguments::options::Method;
+use std::time::Instant;
+use toytop::scalar::Real;
+use toytop_host::Failure;
+use toytop_host::motion::Scalar;
+use toytop_host::motion::evaluator::MotionEvaluator;
+use toytop_host::motion::sample::MotionSample;
+use toytop_host::motion::stepper::TimedStepper;
+use toytop_model::timed_motion::TimedMotion;
+
+/// Run of a propagator; empty where no table is large enough.
+#[derive(Default)]
+pub struct Run {
+    /// Samples in the order of the times.
+    pub samples: Vec<MotionSample>,
+    /// Number of steps of a stepper.
+    pub steps: Option<u64>,
+    /// Segments and terms of a table.
+    pub table: Option<String>,
+    /// Bound on the error at the last time, rad.
+    pub bound: f64,
+    /// Median time of a step or of a look-up.
+    pub ns: Option<f64>,
+}
+
+/// Samples at the times, and the computing time of one, ns: the median of five parts of the times.
+fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> MotionSample) -> (Vec<MotionSample>, f64) {
+    let (mut samples, mut spent) = (Vec::new(), Vec::new());
+    for part in times.chunks(times.len().div_ceil(5)) {
+        let started = Instant::now();
+        samples.extend(part.iter().map(|&t| sample(t)));
+        spent.push(1e9 * started.elapsed().as_secs_f64() / part.len() as f64);
+    }
+    spent.sort_by(f64::total_cmp);
+    (samples, spent[spent.len() / 2])
+}
+
+/// Run of a method at the times, which cover this number of periods.
+///
+/// # Errors
+/// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
+pub fn run(
+    (method, scalar): (Method, Scalar),
+    motion: &TimedMotion,
+    times: &[f64],
+    periods: u32,
+) -> Result<Run, Failure> {
+    let stepper = match (method, scalar) {
+        (Method::Table, _) => return run_table(scalar, motion, times),
+        (_, Scalar::F64) => run_stepper::<f64>,
+        _ => run_stepper::<f32>,
+    };
+    Ok(Run { bound: stepper_bound(motion, scalar, periods), ..stepper(scalar, motion, times) })
+}
+
+/// Run of the stepper through the times.
+fn run_stepper<R: Real>(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Run {
+    let step = motion.characteristic_time() / f64::from(steps_per_period(scalar));
+    let mut timed = TimedStepper::<R>::new(motion, step);
+    let (samples, ns) = timed_samples(times, |t| {
+        timed.advance_to(t, |_| ());
+        timed.sample()
+    });
+    let ns = ns * times.len() as f64 / timed.steps.max(1) as f64;
+    Run { samples, steps: Some(timed.steps), ns: Some(ns), ..Run::default() }
+}
+
+/// Run of a table or a closed form at the times.
+fn run_table(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Result<Run, Failure> {
+    let evaluator = MotionEvaluator::new(motion, scalar)?;
+    let (samples, ns) = timed_samples(times, |t| evaluator.at(t));
+    let ticks = times.last().map_or(0.0, |last| last * evaluator.ticks_per_time);
+    let has_table = evaluator.segments > 0;
+    let table = has_table.then(|| format!("{}x{}", evaluator.segments, evaluator.terms));
+    Ok(Run { samples, table, bound: evaluator.error_bound.after(ticks), ns: Some(ns), steps: None })
+}
