@@ -17,7 +17,7 @@ const USAGE: &str = "\
 usage: cargo xtask VERB
 
   test [--all] [--only STEP]   runs the checks before every change, or every test, or one step; installs missing tools by rustup, apt-get or
-                               cargo. The exit code is 1 if a step failed, and 2 if none failed but one could not run
+                               cargo. A step whose tools cannot be installed fails
   test --list                  lists the steps
   size                         prints the tokens of Rust by room, and fails where one is above its cap
   firmware NAME [--chip CHIP]  runs a program under QEMU and shows its log

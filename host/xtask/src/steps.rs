@@ -2,7 +2,6 @@
 //! core, run in parallel with the steps of the host.
 
 use std::process::ExitCode;
-use std::sync::{Mutex, PoisonError};
 use std::thread;
 use std::time::Instant;
 
@@ -64,40 +63,17 @@ const ON_CHIPS: &[Step] = &[
     only_with_all("features", &[CHIPS, HACK], checks::features),
 ];
 
-#[derive(Debug, PartialEq)]
-enum Outcome {
-    Passed,
-    Failed,
-    /// A tool is missing and cannot be installed.
-    NotRun,
-}
-
 impl Step {
-    /// Runs the step and prints its result.
-    fn result(&self) -> Outcome {
-        let Self { name, needs, run, .. } = self;
+    /// Runs the step, prints its result and returns whether it has passed.
+    fn passes(&self, provided: Result<()>) -> bool {
         let begin = Instant::now();
-        // one after the other, because two installations would wait for each other's lock
-        static INSTALLATION: Mutex<()> = Mutex::new(());
-        let provided = {
-            let _one = INSTALLATION.lock();
-            needs.iter().try_for_each(Tool::provide)
-        };
-        let seconds = || begin.elapsed().as_secs_f64();
-        match provided.map(|()| run()) {
-            Ok(Ok(remark)) => {
-                println!("{name:16} ok       {:6.1} s   {remark}", seconds());
-                Outcome::Passed
-            }
-            Ok(Err(error)) => {
-                println!("{name:16} FAILED   {:6.1} s\n{error:#}\n", seconds());
-                Outcome::Failed
-            }
-            Err(missing) => {
-                println!("{name:16} NOT RUN  {missing:#}");
-                Outcome::NotRun
-            }
+        let result = provided.and_then(|()| (self.run)());
+        let seconds = begin.elapsed().as_secs_f64();
+        match &result {
+            Ok(remark) => println!("{:16} ok       {seconds:6.1} s   {remark}", self.name),
+            Err(error) => println!("{:16} FAILED   {seconds:6.1} s\n{error:#}\n", self.name),
         }
+        result.is_ok()
     }
 }
 
@@ -114,61 +90,45 @@ pub(crate) fn run_one(name: &str) -> Result<ExitCode> {
     run(|other| other.name == step.name)
 }
 
-/// Runs the chosen steps. A step that could not run is not a success.
-pub(crate) fn run(chosen: impl Fn(&Step) -> bool + Sync) -> Result<ExitCode> {
+/// Runs the chosen steps. A step whose tools cannot be installed fails.
+pub(crate) fn run(chosen: impl Fn(&Step) -> bool) -> Result<ExitCode> {
     let start = Instant::now();
-    let results = Mutex::new(Vec::new());
-    let in_order = |steps: &'static [Step]| {
-        for step in steps.iter().filter(|step| chosen(step)) {
-            let result = (step.name, step.result());
-            results.lock().unwrap_or_else(PoisonError::into_inner).push(result);
-        }
+    // before the steps, because two installations would wait for each other's lock
+    let provided = |step: &'static Step| (step, step.needs.iter().try_for_each(Tool::provide));
+    let [on_host, on_chips] =
+        [ON_HOST, ON_CHIPS].map(|steps| steps.iter().filter(|step| chosen(step)).map(provided).collect());
+    let results = |steps: Vec<(&Step, Result<()>)>| -> Vec<_> {
+        steps.into_iter().map(|(step, provided)| (step.name, step.passes(provided))).collect()
     };
-    thread::scope(|scope| {
-        scope.spawn(|| in_order(ON_CHIPS));
-        in_order(ON_HOST);
+    let results = thread::scope(|scope| {
+        let on_chips = scope.spawn(move || results(on_chips));
+        let on_host = results(on_host);
+        [on_host, on_chips.join().expect("a step returns its failures")].concat()
     });
-    let results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
-    let with =
-        |outcome| results.iter().filter(|(_, other)| *other == outcome).map(|(name, _)| *name).collect();
-    let [passed, failed, not_run]: [Vec<&str>; 3] =
-        [Outcome::Passed, Outcome::Failed, Outcome::NotRun].map(with);
-    print!("\n{} steps passed in {:.0} s", passed.len(), start.elapsed().as_secs_f64());
-    for (what, names) in [("failed", &failed), ("not run", &not_run)] {
-        if !names.is_empty() {
-            print!("; {what}: {}", names.join(" "));
-        }
+    let failed: Vec<_> = results.iter().filter(|(_, passed)| !passed).map(|(name, _)| *name).collect();
+    let seconds = start.elapsed().as_secs_f64();
+    println!("\n{} steps passed in {seconds:.0} s", results.len() - failed.len());
+    if failed.is_empty() {
+        return Ok(ExitCode::SUCCESS);
     }
-    println!();
-    Ok(ExitCode::from(exit_code(!failed.is_empty(), !not_run.is_empty())))
-}
-
-/// Exit code of the test command.
-fn exit_code(has_failed: bool, has_not_run: bool) -> u8 {
-    if has_failed { 1 } else { 2 * u8::from(has_not_run) }
+    println!("failed: {}", failed.join(" "));
+    Ok(ExitCode::FAILURE)
 }
 
 #[cfg(test)]
 mod tests {
     use anyhow::bail;
 
-    use super::{Outcome, Step, every_change, exit_code};
-    use crate::tools::Tool;
+    use super::{Result, every_change};
 
     #[test]
-    fn a_step_that_cannot_run_has_not_passed() {
-        const GOOD: fn() -> anyhow::Result<String> = || Ok(String::new());
-        let missing = const { &[Tool::missing()] };
-        let outcomes = [
-            every_change("runs", &[], GOOD),
-            every_change("fails", &[], || bail!("wrong")),
-            every_change("waits", missing, GOOD),
-        ];
-        assert_eq!(
-            outcomes.map(|step: Step| step.result()),
-            [Outcome::Passed, Outcome::Failed, Outcome::NotRun]
-        );
-        assert_eq!([(false, false), (true, false), (true, true)].map(|(f, n)| exit_code(f, n)), [0, 1, 1]);
-        assert_eq!(exit_code(false, true), 2, "a step that did not run is no success");
+    fn a_step_that_fails_or_cannot_run_has_not_passed() {
+        let good = every_change("runs", &[], || Ok(String::new()));
+        assert!(good.passes(Ok(())) && !good.passes(missing()));
+        assert!(!every_change("fails", &[], || bail!("wrong")).passes(Ok(())));
+    }
+
+    fn missing() -> Result<()> {
+        bail!("a tool is missing")
     }
 }
