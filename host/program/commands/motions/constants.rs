@@ -76,7 +76,8 @@ mod tests {
             Some((constant.meaning, function.split("\"\"\"").nth(1)?))
         };
         let documented: Vec<_> = CONSTANTS.iter().filter_map(|constant| docstring(&constant)).collect();
-        assert_eq!(documented.len(), 19);
+        // two properties are words, and have the words in place of the meaning
+        assert_eq!(documented.len() + 2, python.matches("@property").count());
         for (meaning, docstring) in documented {
             assert!(docstring.starts_with(meaning), "{docstring}: {meaning}");
         }
