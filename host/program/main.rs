@@ -2,8 +2,8 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | `files` | files that a command writes: completely or not at all, its output, and pages of the documentation |
-//! | `terminal` | command line, report, tables of texts, work on all processor cores with its progress |
+//! | `files` | whole-file writes, the output of `-o`, generated parts of the documentation |
+//! | `terminal` | command line, report, tables of texts, parallel work with a progress bar |
 //! | `arguments` | arguments of several commands: numbers and ranges, times, options |
 //! | `commands` | the commands |
 

@@ -1,5 +1,4 @@
-//! Scenario files, motions at given times, a reference for them, fitted launches, scored integrators, and the forms of output: the library of the
-//! program `toytop` (`host/program`) and of the Python package.
+//! Library behind the program `toytop` (`host/program`) and the Python package: it reads scenarios, evaluates motions, and formats results.
 //!
 //! A module uses only those above it.
 //!
@@ -7,7 +6,7 @@
 //! |---|---|
 //! | [`output`] | CSV and JSON |
 //! | [`input`] | scenario files, built-in motions, random numbers |
-//! | [`threads`] | threads on all processor cores |
+//! | [`threads`] | work on all processor cores |
 //! | [`mod@reference`] | the paper's integrals to more than thirty digits |
 //! | [`motion`] | motion at given times by the core or the full equations, its samples and constants |
 //! | [`fit`] | sensors, samples and a launch fitted to them |

@@ -1,4 +1,4 @@
-//! Command line of the program: its parser, whose refusals and helps are reports of a command, and the exit code.
+//! Parser of the command line, and the exit code. Help and refusals are printed like the report of a command.
 
 use super::report::{Report, print};
 use clap::error::ErrorKind;

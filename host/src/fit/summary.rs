@@ -1,4 +1,4 @@
-//! Numbers of a fit by the keys of JSON, for the report, CSV and Python too.
+//! Result of a fit. Its field names are the keys of JSON; the report, CSV and Python use them too.
 
 use super::result::{Estimated, FitResult};
 use serde::{Serialize, Serializer};
