@@ -11,7 +11,7 @@ pub struct Event {
     pub tick: i64,
     /// Fraction of the following tick that passes before the event, in [0, 1).
     pub fraction: f64,
-    /// Whether u or the tip angle increases at the event; at a turning point, whether u = e₂.
+    /// Whether u rises just before the event, as before u = e₂; for an event of the tip angle, whether the angle does.
     pub upward: bool,
 }
 

@@ -6,6 +6,7 @@ use crate::terminal::parallel::compute_all;
 use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use clap::Args;
+use micromath::F32Ext;
 use serde::Serialize;
 use serde_json::json;
 use std::iter::once;
@@ -92,19 +93,30 @@ pub fn run(arguments: &AccuracyArgs) -> Result<Report, Failure> {
         };
         TextTable::new(1, HEADINGS, totals.iter().map(line))
     };
+    let micromath = format!(
+        "The sine of micromath, an approximation for f32, is off by up to {:.0e}.\n",
+        error_of_micromath()
+    );
     let table = || {
         format!(
             "{}\nThe table in each scalar, over ticks from 1 to 2^{OCTAVES}, against the truth to thirty digits. Tip: in units of s. Norm:\n\
              of alpha and beta. Energy: from alpha, beta and their rates (in fixed point, f32), relative. CSV and JSON have the\n\
-             errors over each octave of ticks.\n",
+             errors over each octave of ticks. {micromath}",
             table_of_totals(output::error_text).aligned(),
         )
     };
     let text = output::render(arguments.format, &json!({ "rows": rows }), &rows, table);
     if let Some(page) = page {
-        page.write(&table_of_totals(|x| format!("{x:.0e}")).markdown())?;
+        let table = table_of_totals(|x| format!("{x:.0e}")).markdown();
+        page.write(&format!("{table}\n{micromath}"))?;
     }
     Ok(text.into())
+}
+
+/// Greatest error of micromath's sine over one turn.
+fn error_of_micromath() -> f64 {
+    let error = |x: f32| (f64::from(F32Ext::sin(x)) - f64::from(x).sin()).abs();
+    (0..=u16::MAX).map(|i| error(1e-4 * f32::from(i))).fold(0.0, f64::max)
 }
 
 /// Errors of each scalar over all motions: at ticks from 2^k to 2^(k+1) - 1 for each k below [`OCTAVES`], and at tick 2^40.
