@@ -41,7 +41,6 @@ const ON_HOST: &[Step] = &[
     every_change("browser", &[PAGE, CHROMIUM], checks::browser),
     every_change("c-header", &[C], c::check_header),
     every_change("c-host", &[C, PAGE], c::check_on_host),
-    every_change("python", &[PAGE, PYTHON], python::check),
     only_with_all("docs", &[PAGE], checks::docs),
     only_with_all("c-cmake", &[C, PAGE], c::check_cmake),
     only_with_all("python-full", &[PAGE, PYTHON], python::full),
@@ -50,12 +49,13 @@ const ON_HOST: &[Step] = &[
     only_with_all("coverage", &[COVERAGE], checks::coverage),
 ];
 
-/// Steps of the programs for the chips.
+/// Steps of the programs for the chips, and of the Python package, so that both lists take equally long.
 const ON_CHIPS: &[Step] = &[
     every_change("bits", &[CHIPS, QEMU], firmware::bits),
     every_change("no-panic", &[CHIPS], firmware::no_panic),
     every_change("clippy-firmware", &[CHIPS, LINTS], checks::clippy_firmware),
     every_change("budget", &[CHIPS, PAGE, QEMU], checks::budget),
+    every_change("python", &[PAGE, PYTHON], python::check),
     only_with_all("firmware", &[CHIPS, QEMU], firmware::programs),
     only_with_all("c-chip", &[C, CHIPS, PAGE, QEMU], c::check_on_chip),
     only_with_all("no-panic-on-all", &[CHIPS], firmware::no_panic_on_all),
