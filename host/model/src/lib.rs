@@ -2,24 +2,24 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | [`parameters`] | supports by name, top and release from the numbers of a scenario |
+//! | [`parameters`] | supports by name, top from the numbers of a scenario |
 //! | [`launch`] | launch of a motion from the numbers of a scenario |
 //! | [`equations`] | full 3-D equations of motion |
 //! | `start` | axis and angular momentum at t = 0 |
 //! | [`timed_motion`] | motion whose period is integrated once, and the ticks of its table |
 //! | [`unit`] | unit of a quantity |
 //! | [`constants`] | constants of a motion by name, with their meanings |
-//! | [`evaluator`] | table of a motion, or the closed form of an aperiodic one, which has no table |
+//! | [`aperiodic`] | closed form of an aperiodic motion, which has no table |
 //! | [`display_duration`] | duration that a picture of a motion shows |
 //!
 //! The crate has no `std` and no allocator, because the page has none.
 
 #![no_std]
 
+pub mod aperiodic;
 pub mod constants;
 pub mod display_duration;
 pub mod equations;
-pub mod evaluator;
 pub mod launch;
 pub mod parameters;
 mod start;

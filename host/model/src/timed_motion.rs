@@ -23,7 +23,7 @@ impl TimedMotion {
     }
 
     /// Period and advances, as [`Motion::period_advance`] computes them.
-    pub fn period_advance(&self) -> Option<PeriodAdvance> {
+    pub fn advance(&self) -> Option<PeriodAdvance> {
         self.advance
     }
 
@@ -99,7 +99,7 @@ impl Deref for TimedMotion {
 pub(crate) fn natural_time(motion: &TimedMotion) -> f64 {
     let top = motion.top();
     if top.is_torque_free() {
-        return motion.period_advance().map_or(1.0, |advance| advance.period);
+        return motion.advance.map_or(1.0, |advance| advance.period);
     }
     let length = top.transverse_inertia() / top.mass_moment() + top.com_height();
     2.0 * PI * Float::sqrt(length / top.gravity())

@@ -4,15 +4,22 @@ use toytop::{
     Complex, Motion, Orientation, ParameterError, Regime, SizedTable, Table, TableMemory, TableScalar,
     TableSettings, Workspace,
 };
-use toytop_model::evaluator::Evaluator;
+use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::timed_motion::TimedMotion;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
 pub struct PageTable {
     memory: TableMemory<SizedTable<f64, 4096>>,
-    /// Evaluator of the motion, whose table is in `memory`.
-    evaluator: Evaluator<()>,
+    closed_form: ClosedForm,
     ticks_per_time: f64,
+}
+
+/// Closed form of an aperiodic motion, which has no table.
+#[repr(u8)] // the first variant is 0, so that a static table takes no space in a file
+#[allow(clippy::large_enum_variant)] // there is no heap
+enum ClosedForm {
+    None,
+    Some(AperiodicMotion),
 }
 
 /// Orientation, u, axis and tip at one time: Re α, Im α, Re β, Im β, u, r₁, r₂, r₃, c₁, c₂.
@@ -24,7 +31,7 @@ const TRUNCATIONS: [f64; 4] = [f64::TRUNCATION, 1e-12, 1e-9, 1e-6];
 impl PageTable {
     /// Table before its first motion. All its bits are 0, so that it takes no space in a file.
     pub const EMPTY: Self =
-        Self { memory: TableMemory::new(), evaluator: Evaluator::Table(()), ticks_per_time: 0.0 };
+        Self { memory: TableMemory::new(), closed_form: ClosedForm::None, ticks_per_time: 0.0 };
 
     /// Sets the table up for another motion.
     ///
@@ -32,18 +39,17 @@ impl PageTable {
     /// `e3`: the motion is so close to the separatrix that no table holds it.
     pub fn set_up(&mut self, motion: &TimedMotion) -> Result<(), ParameterError> {
         self.ticks_per_time = motion.ticks_per_time();
-        // not the closed form of the motion before, if this one is refused
-        self.evaluator = Evaluator::Table(());
+        self.closed_form = AperiodicMotion::new(motion).map_or(ClosedForm::None, ClosedForm::Some);
         let settings = TableSettings::new(motion.tick());
         let mut fits = |truncation: &f64| {
             let settings = TableSettings { truncation: Some(*truncation), ..settings };
             self.memory.set_up(&mut Workspace::new(), motion, settings, &mut || {}).is_ok()
         };
+        if matches!(self.closed_form, ClosedForm::Some(_)) || TRUNCATIONS.iter().any(&mut fits) {
+            return Ok(());
+        }
         let allowed = "further from e2: no table holds this motion";
-        let refusal = ParameterError::OutOfRange { parameter: "e3", allowed };
-        self.evaluator =
-            Evaluator::new(motion, || TRUNCATIONS.iter().any(&mut fits).then_some(()).ok_or(refusal))?;
-        Ok(())
+        Err(ParameterError::OutOfRange { parameter: "e3", allowed })
     }
 
     /// Whether the table can hold a motion, or a closed form follows it.
@@ -54,25 +60,25 @@ impl PageTable {
 
     /// Orientation and tip at t, with t taken as exact; the identity before the first motion.
     pub fn at(&self, t: f64) -> (Orientation<f64>, Complex<f64>) {
-        match (&self.evaluator, self.memory.get()) {
-            (Evaluator::ClosedForm(motion), _) => {
+        match (&self.closed_form, self.memory.get()) {
+            (ClosedForm::Some(motion), _) => {
                 let (state, tip) = motion.at(t);
                 (state.orientation, tip)
             }
-            (Evaluator::Table(()), Some(table)) => {
+            (ClosedForm::None, Some(table)) => {
                 let pose = table.at(t).pose();
                 (pose.orientation, pose.tip)
             }
-            (Evaluator::Table(()), None) => (Orientation::IDENTITY, Complex::ZERO),
+            (ClosedForm::None, None) => (Orientation::IDENTITY, Complex::ZERO),
         }
     }
 
     /// Bound on the orientation error at t = 0, rad, and its growth, rad per unit time.
     pub fn error_bound(&self) -> [f64; 2] {
-        let bound = match (&self.evaluator, self.memory.get()) {
-            (Evaluator::ClosedForm(motion), _) => motion.error_bound(),
-            (Evaluator::Table(()), Some(table)) => table.error_bound(),
-            (Evaluator::Table(()), None) => return [f64::INFINITY; 2],
+        let bound = match (&self.closed_form, self.memory.get()) {
+            (ClosedForm::Some(motion), _) => motion.error_bound(),
+            (ClosedForm::None, Some(table)) => table.error_bound(),
+            (ClosedForm::None, None) => return [f64::INFINITY; 2],
         };
         [bound.constant, bound.per_tick * self.ticks_per_time]
     }

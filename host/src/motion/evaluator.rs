@@ -2,6 +2,9 @@
 
 mod events;
 
+mod evaluate;
+
+mod closed_form;
 mod heap_table;
 
 pub use events::{EventKind, EventQuery, MotionEvent};
@@ -11,11 +14,11 @@ use crate::Failure;
 use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::MotionSample;
-use events::{events_of_closed_form, tip_angle};
+use closed_form::rate_error_bound;
+use evaluate::Evaluate;
 use fixed::types::{I2F14, I2F30};
-use heap_table::AnyTable;
 use toytop::{ErrorBound, ParameterError, Pose, TableScalar, TableSettings};
-use toytop_model::evaluator::{AperiodicMotion, Evaluator};
+use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::timed_motion::{MAX_TICKS, TimedMotion};
 
 /// Evaluator of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
@@ -32,7 +35,7 @@ pub struct MotionEvaluator {
     pub rate_error_bound: ErrorBound,
     /// Motion, with its period.
     pub motion: TimedMotion,
-    evaluator: Evaluator<Box<dyn AnyTable>>,
+    evaluator: Box<dyn Evaluate>,
 }
 
 impl MotionEvaluator {
@@ -53,25 +56,47 @@ impl MotionEvaluator {
         scalar: Scalar,
         settings: &TableSettings,
     ) -> Result<Self, Failure> {
-        let table = || match scalar {
-            Scalar::F64 => boxed::<f64>(motion, settings),
-            Scalar::F32 => boxed::<f32>(motion, settings),
-            Scalar::Q31 => boxed::<I2F30>(motion, settings),
-            Scalar::Q15 => boxed::<I2F14>(motion, settings),
-        };
-        let evaluator = Evaluator::new(motion, table)?;
-        let ([segments, terms], ticks_per_time, error_bound, rate_error_bound) = match &evaluator {
-            Evaluator::Table(table) => table.properties(),
-            Evaluator::ClosedForm(form) if scalar == Scalar::F64 => {
-                ([0; 2], form.ticks_per_time, form.error_bound(), rate_error_bound(form))
-            }
-            Evaluator::ClosedForm(_) => {
-                let reason = "an aperiodic motion has a closed form in f64, and no table";
-                return Err(Failure::Method(reason.to_owned()));
-            }
-        };
-        let motion = *motion;
-        Ok(Self { segments, terms, ticks_per_time, error_bound, rate_error_bound, motion, evaluator })
+        if let Some(form) = AperiodicMotion::new(motion) {
+            let reason =
+                || Failure::Method("an aperiodic motion has a closed form in f64, and no table".to_owned());
+            return (scalar == Scalar::F64).then(|| Self::with_closed_form(motion, form)).ok_or_else(reason);
+        }
+        match scalar {
+            Scalar::F64 => Self::with_table::<f64>(motion, settings),
+            Scalar::F32 => Self::with_table::<f32>(motion, settings),
+            Scalar::Q31 => Self::with_table::<I2F30>(motion, settings),
+            Scalar::Q15 => Self::with_table::<I2F14>(motion, settings),
+        }
+    }
+
+    fn with_closed_form(motion: &TimedMotion, form: AperiodicMotion) -> Self {
+        Self {
+            segments: 0,
+            terms: 0,
+            ticks_per_time: form.ticks_per_time,
+            error_bound: form.error_bound(),
+            rate_error_bound: rate_error_bound(&form),
+            motion: *motion,
+            evaluator: Box::new(form),
+        }
+    }
+
+    /// Evaluator by the table with the least number of segments that is enough.
+    fn with_table<R: TableScalar>(motion: &TimedMotion, settings: &TableSettings) -> Result<Self, Failure>
+    where
+        HeapTable<R>: Evaluate + 'static,
+    {
+        let memory = HeapTable::<R>::new(motion, settings, SEGMENTS)?;
+        let table = memory.table();
+        Ok(Self {
+            segments: table.capacity(),
+            terms: R::TERMS,
+            ticks_per_time: table.clock().ticks_per_time[0],
+            error_bound: table.error_bound(),
+            rate_error_bound: table.rate_error_bound(),
+            motion: *motion,
+            evaluator: Box::new(memory),
+        })
     }
 
     /// Greatest distance of a time from t = 0 at which the motion can be evaluated.
@@ -79,34 +104,19 @@ impl MotionEvaluator {
         MAX_TICKS / self.ticks_per_time
     }
 
-    /// Sample at the time t, taken as exact.
-    ///
-    /// * `tick`: number of the tick at this time, if it is one
-    /// * `only`: column whose numbers are computed; without it, all quantities
-    fn sample(&self, t: f64, tick: Option<i64>, only: Option<SampleColumn>) -> MotionSample {
-        match &self.evaluator {
-            Evaluator::Table(table) => table.sample(t, tick, only),
-            Evaluator::ClosedForm(form) => {
-                let (state, tip) = form.at(t);
-                let sample = MotionSample::from_state(t, &state, tip, Some(tip_angle(form, t)));
-                MotionSample { error_bound: Some(self.error_bound.after(t * self.ticks_per_time)), ..sample }
-            }
-        }
-    }
-
     /// Sample t units of time after t = 0, t taken as exact.
     pub fn at(&self, t: f64) -> MotionSample {
-        self.sample(t, None, None)
+        self.evaluator.sample(t, None, None)
     }
 
     /// Sample at tick n.
     pub fn at_tick(&self, n: i64) -> MotionSample {
-        self.sample(n as f64 / self.ticks_per_time, Some(n), None)
+        self.evaluator.sample(n as f64 / self.ticks_per_time, Some(n), None)
     }
 
     /// Orientation, u and tip t units of time after t = 0.
     pub fn pose(&self, t: f64) -> Pose<f64, f64> {
-        self.sample(t, None, Some(SampleColumn::U)).pose
+        self.evaluator.sample(t, None, Some(SampleColumn::U)).pose
     }
 
     /// Events of a query, in the order of their times.
@@ -116,10 +126,7 @@ impl MotionEvaluator {
     pub fn events(&self, query: &EventQuery) -> Result<Vec<MotionEvent>, ParameterError> {
         let mut events = Vec::new();
         for condition in query.kind.conditions(&self.motion)? {
-            events.extend(match &self.evaluator {
-                Evaluator::Table(table) => table.events(condition, query),
-                Evaluator::ClosedForm(form) => events_of_closed_form(form, condition, query, &|t| self.at(t)),
-            });
+            events.extend(self.evaluator.events(condition, query));
         }
         events.sort_by(|a, b| a.sample.t.total_cmp(&b.sample.t));
         events.truncate(query.count);
@@ -129,26 +136,11 @@ impl MotionEvaluator {
     /// Writes one column at each time, and computes no other.
     pub fn write(&self, column: SampleColumn, times: &[f64], rows: &mut [f64]) {
         let rows = rows.chunks_exact_mut(column.names().len());
-        times.iter().zip(rows).for_each(|(t, row)| column.write(&self.sample(*t, None, Some(column)), row));
+        times
+            .iter()
+            .zip(rows)
+            .for_each(|(t, row)| column.write(&self.evaluator.sample(*t, None, Some(column)), row));
     }
-}
-
-/// Table of a motion in the least number of segments that is enough.
-fn boxed<R: TableScalar>(motion: &TimedMotion, settings: &TableSettings) -> Result<Box<dyn AnyTable>, Failure>
-where
-    HeapTable<R>: AnyTable + 'static,
-{
-    Ok(Box::new(HeapTable::<R>::new(motion, settings, SEGMENTS)?))
-}
-
-/// Bound on the error of ω, of Ω and of u' by a closed form, rad per unit time. It is checked by tests and not proved. The angular speed
-/// is greatest at the lowest point.
-fn rate_error_bound(form: &AperiodicMotion) -> ErrorBound {
-    const ERROR: f64 = 5e-14;
-    let [x, y, z] = form.form.at(form.lowest).omega_body();
-    let speed = x.hypot(y).hypot(z);
-    let constant = (1.0 + speed) * ERROR;
-    ErrorBound { constant, per_tick: constant * speed / form.ticks_per_time }
 }
 
 #[cfg(test)]

@@ -46,7 +46,7 @@ pub fn phase_errors(evaluator: &MotionEvaluator, rows: &[TrajectoryRow]) -> Phas
         _ => [false, true, true],
     };
     let period = motion.characteristic_time();
-    let rates = motion.period_advance().map_or([0.0; 3], |advance| {
+    let rates = motion.advance().map_or([0.0; 3], |advance| {
         [advance.alpha_turns, advance.beta_turns, 1.0].map(|turns| 2.0 * PI * turns / period)
     });
     let fit = PhaseFit { evaluator, period, rates, exist };

@@ -92,7 +92,7 @@ fn rows() -> Vec<TimedTask> {
     let mut figures = builtin::figures().into_iter();
     let scenario = figures.find(|scenario| scenario.name == CURVE_WITH_CUSPS).expect("a built-in motion");
     let motion = &scenario.motion;
-    let period = motion.period_advance().map_or(1.0, |advance| advance.period);
+    let period = motion.advance().map_or(1.0, |advance| advance.period);
     let apart = period / f64::from(STATES_A_PERIOD);
     let times = |states: u32| (1..=states).map(move |i| f64::from(i) * apart);
     let (top, state) = (motion.top(), initial_state(&scenario));

@@ -1,9 +1,7 @@
 //! Events of a motion: kinds, conditions and times.
 
-use crate::motion::sample::{MotionSample, unwrapped};
-use std::f64::consts::TAU;
+use crate::motion::sample::MotionSample;
 use toytop::{AttitudeState, Level, Motion, Orientation, ParameterError, Phase};
-use toytop_model::evaluator::{AperiodicMotion, root};
 
 /// Kind of an event.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -61,7 +59,7 @@ pub struct EventQuery {
 impl EventQuery {
     /// Whether an event counts.
     pub fn includes(&self, t: f64, upward: bool) -> bool {
-        t >= self.from && self.upward.is_none_or(|only| only == upward)
+        t >= self.from && self.upward.is_none_or(|wanted| wanted == upward)
     }
 }
 
@@ -98,51 +96,4 @@ fn time_error(condition: Condition, sample: &MotionSample) -> Option<f64> {
             Some(bound / (2.0 * product.modulus() * turning.abs()))
         }
     }
-}
-
-/// Tip angle of a closed form, continued in time, rad.
-pub fn tip_angle(form: &AperiodicMotion, t: f64) -> f64 {
-    unwrapped(form.form.tip_angle(t), form.rough_tip_angle(t))
-}
-
-/// Intervals of the search on either side of the lowest point. Each finds at most one event.
-const INTERVALS: i32 = 8192;
-
-/// First events of a closed form at which a condition holds, of those that the query includes, while the axis is not upright to a rounding:
-/// roots of a function of time minus a whole number, in 2 [`INTERVALS`] parts.
-///
-/// * `sample`: sample at a time
-pub fn events_of_closed_form(
-    motion: &AperiodicMotion,
-    condition: Condition,
-    query: &EventQuery,
-    sample: &dyn Fn(f64) -> MotionSample,
-) -> Vec<MotionEvent> {
-    let value = |t: f64| match condition {
-        Condition::Turning => motion.form.v(t).clamp(-0.5, 0.5),
-        Condition::Crossing(level) if level.u() < 1.0 => {
-            0.25 * (motion.form.at(t).orientation.u() - level.u())
-        }
-        Condition::Crossing(_) => 0.5,
-        Condition::TipAngle(angle) => (tip_angle(motion, t) - angle.to_radians()) / TAU,
-    };
-    let mut events = Vec::new();
-    let [mut time, mut before] = [f64::NAN; 2];
-    for i in -INTERVALS..=INTERVALS {
-        let next = motion.lowest + motion.upright * f64::from(i) / f64::from(INTERVALS);
-        let after = value(next);
-        let whole = before.max(after).floor();
-        if before.min(after) < whole {
-            let sense = (after - before).signum();
-            let t = root(time, next, |t| sense * (value(t) - whole));
-            // at the lowest point u is least
-            let upward = sense > 0.0 && condition != Condition::Turning;
-            if query.includes(t, upward) {
-                events.push(MotionEvent::new(condition, upward, sample(t)));
-            }
-        }
-        (time, before) = (next, after);
-    }
-    events.truncate(query.count);
-    events
 }

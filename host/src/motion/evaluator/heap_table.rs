@@ -1,5 +1,6 @@
 //! Table of the core on the heap.
 
+use super::evaluate::Evaluate;
 use super::events::{Condition, EventQuery, MotionEvent};
 use crate::Failure;
 use crate::motion::column::SampleColumn::{self, ErrorBound, Omega, OmegaBody, T, TipAngle, Udot};
@@ -8,8 +9,7 @@ use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 use toytop::scalar::Float;
 use toytop::{
-    ErrorBound as Bound, Event, Motion, Pose, SetUpError, SizedTable, Table, TableMemory, TableScalar,
-    TableSettings, Workspace,
+    Event, Motion, Pose, SetUpError, SizedTable, Table, TableMemory, TableScalar, TableSettings, Workspace,
 };
 
 macro_rules! capacities {
@@ -83,17 +83,17 @@ impl<R: TableScalar> HeapTable<R> {
 
     /// Sample in `f64` at the time t.
     ///
-    /// * `only`: column whose numbers are computed; without it, all quantities
-    fn sample_at(&self, now: &toytop::Sample<'_, R>, t: f64, only: Option<SampleColumn>) -> MotionSample {
+    /// * `column`: column whose numbers are computed; without it, all quantities
+    fn sample_at(&self, now: &toytop::Sample<'_, R>, t: f64, column: Option<SampleColumn>) -> MotionSample {
         let table = self.table();
-        let needs = |column| only.is_none_or(|only| only == column);
+        let needs = |quantity| column.is_none_or(|column| column == quantity);
         let mut sample = MotionSample { t, ..MotionSample::EMPTY };
         if needs(ErrorBound) {
             let [rate, _] = table.clock().ticks_per_time;
             sample.error_bound = Some(table.error_bound().after(t * rate));
         }
         // all other columns are functions of the pose
-        if !matches!(only, Some(T | Udot | Omega | OmegaBody | TipAngle | ErrorBound)) {
+        if !matches!(column, Some(T | Udot | Omega | OmegaBody | TipAngle | ErrorBound)) {
             let Pose { orientation, u, tip } = now.pose();
             sample.pose =
                 Pose { orientation: orientation.map(R::into), u: u.into(), tip: tip.map(Float::to_f64) };
@@ -115,35 +115,13 @@ impl<R: TableScalar> HeapTable<R> {
     }
 }
 
-/// Table in any scalar.
-pub trait AnyTable: Send + Sync {
-    /// Numbers of segments and of coefficients of each polynomial, ticks in a unit of time, and the bounds on the errors of the orientation
-    /// and of the rates.
-    fn properties(&self) -> ([usize; 2], f64, Bound, Bound);
-
-    /// Sample at the time t, taken as exact.
-    ///
-    /// * `tick`: number of the tick at this time, if it is one
-    /// * `only`: column whose numbers are computed; without it, all quantities
-    fn sample(&self, t: f64, tick: Option<i64>, only: Option<SampleColumn>) -> MotionSample;
-
-    /// First events at which a condition holds, of those that the query includes.
-    fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent>;
-}
-
-impl<R: TableScalar> AnyTable for HeapTable<R>
+impl<R: TableScalar> Evaluate for HeapTable<R>
 where
     Self: Send + Sync,
 {
-    fn properties(&self) -> ([usize; 2], f64, Bound, Bound) {
+    fn sample(&self, t: f64, tick: Option<i64>, column: Option<SampleColumn>) -> MotionSample {
         let table = self.table();
-        let [ticks_per_time, _] = table.clock().ticks_per_time;
-        ([table.capacity(), R::TERMS], ticks_per_time, table.error_bound(), table.rate_error_bound())
-    }
-
-    fn sample(&self, t: f64, tick: Option<i64>, only: Option<SampleColumn>) -> MotionSample {
-        let table = self.table();
-        self.sample_at(&tick.map_or_else(|| table.at(t), |n| table.at_tick(n)), t, only)
+        self.sample_at(&tick.map_or_else(|| table.at(t), |n| table.at_tick(n)), t, column)
     }
 
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {

@@ -64,7 +64,7 @@ pub fn precession(scenario: &Scenario, span: &MotionSpan) -> Result<Scene, Failu
     let azimuth = |t: f64| without_rounding(continued(t) - 360.0 * turns);
     let degrees = |t: f64| [t - from, azimuth(t)];
     let mut curves = vec![Curve::line("azimuth of the axis", span.times_of_curve().map(degrees).collect())];
-    if let Some(advance) = scenario.motion.period_advance() {
+    if let Some(advance) = scenario.motion.advance() {
         let rate = without_rounding(advance.phi_radians.to_degrees()) / advance.period;
         let first = azimuth(from);
         let mean = vec![[0.0, first], [until - from, first + rate * (until - from)]];

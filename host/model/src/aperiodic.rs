@@ -1,29 +1,8 @@
-//! Evaluator of a motion at any time: a table, or the closed form of an aperiodic motion, which has no table.
+//! Closed form of an aperiodic motion, which has no table.
 
 use crate::timed_motion::TimedMotion;
 use toytop::{AttitudeState, Complex, ErrorBound};
 use toytop_closed_forms::Aperiodic;
-
-/// Evaluator of a motion at any time.
-#[repr(u8)] // the first variant is 0, so that a static evaluator takes no space in a file
-#[allow(clippy::large_enum_variant)] // there is no heap
-pub enum Evaluator<T> {
-    /// Table.
-    Table(T),
-    /// Closed form of an aperiodic motion.
-    ClosedForm(AperiodicMotion),
-}
-
-impl<T> Evaluator<T> {
-    /// Closed form of an aperiodic motion, or for any other the table that `table` makes.
-    ///
-    /// # Errors
-    /// The errors of `table`.
-    pub fn new<E>(motion: &TimedMotion, table: impl FnOnce() -> Result<T, E>) -> Result<Self, E> {
-        let form = AperiodicMotion::new(motion).map(Self::ClosedForm);
-        form.map_or_else(|| table().map(Self::Table), Ok)
-    }
-}
 
 /// Closed form of an aperiodic motion, with the clock of a table.
 pub struct AperiodicMotion {
@@ -45,7 +24,7 @@ const UPRIGHT: f64 = 40.0;
 
 impl AperiodicMotion {
     /// Closed form of a motion; `None` if the motion is not aperiodic.
-    fn new(motion: &TimedMotion) -> Option<Self> {
+    pub fn new(motion: &TimedMotion) -> Option<Self> {
         let form = Aperiodic::new(motion)?;
         let mut upright = motion.characteristic_time();
         while form.v(upright) < UPRIGHT || form.v(-upright) > -UPRIGHT {
