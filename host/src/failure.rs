@@ -27,8 +27,20 @@ pub enum Failure {
     Tool(String),
 }
 
-/// Name of a parameter or key, and the reason why its value is refused.
-pub type Refusal = (&'static str, String);
+/// Refusal of the value of a parameter or key.
+pub struct Refusal {
+    /// Name of the parameter or key.
+    pub name: &'static str,
+    /// Reason, with the allowed values.
+    pub reason: String,
+}
+
+impl Refusal {
+    /// Refusal of a parameter or key for this reason.
+    pub fn new(name: &'static str, reason: impl Into<String>) -> Self {
+        Self { name, reason: reason.into() }
+    }
+}
 
 impl Failure {
     /// Exit code of the process.

@@ -1,10 +1,22 @@
 //! Launch of a motion, from the numbers of a scenario.
 
-use crate::parameters::release_from_degrees;
+use core::f64::consts::PI;
 use toytop::{Complex, InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State, Top};
 
-/// Kinds of motion by their names, in the order of their numbers on a page.
-pub const KINDS: [&str; 3] = ["release", "state", "branch_points"];
+/// Kind of a launch.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// Angles and rates.
+    Release,
+    /// Orientation and angular velocity.
+    State,
+    /// Branch points, signs and phases.
+    BranchPoints,
+}
+
+/// Kinds of a launch by their names, in the order of their numbers on a page.
+pub const KINDS: [(&str, Kind); 3] =
+    [("release", Kind::Release), ("state", Kind::State), ("branch_points", Kind::BranchPoints)];
 
 /// Launch of a motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,26 +46,27 @@ impl From<&State> for Launch {
 }
 
 impl Launch {
-    /// Launch of one of the [`KINDS`] from numbers in the order of its keys; those that it does not need are ignored.
+    /// Launch from numbers in the order of the keys of its kind, with angles of a release in degrees. Numbers that it does not need are ignored.
     ///
     /// # Errors
-    /// The errors of [`State::from_release`] and [`State::new`]; a tilt is in degrees.
-    pub fn new(kind: &str, numbers: [f64; 8]) -> Result<Self, ParameterError> {
+    /// The errors of [`State::from_release`] and [`State::new`].
+    pub fn new(kind: Kind, numbers: [f64; 8]) -> Result<Self, ParameterError> {
         let [a, b, c, d, e, f, g, h] = numbers;
         let state = match kind {
-            "release" if !(0.0..=180.0).contains(&a) => {
+            Kind::Release if !(0.0..=180.0).contains(&a) => {
                 let allowed = "between 0 and 180 degrees";
                 return Err(ParameterError::OutOfRange { parameter: "tilt", allowed });
             }
-            "release" => {
-                let degrees = Release { tilt: a, spin: b, precession: c, nutation: d, azimuth: e, roll: f };
-                State::from_release(&release_from_degrees(degrees))
+            Kind::Release => {
+                let [azimuth, roll] = [e, f].map(angle_from_degrees);
+                let tilt = tilt_from_degrees(a);
+                State::from_release(&Release { tilt, spin: b, precession: c, nutation: d, azimuth, roll })
             }
-            "state" => {
+            Kind::State => {
                 let orientation = Orientation { alpha: Complex::new(a, b), beta: Complex::new(c, d) };
                 State::new(orientation, [e, f, g])
             }
-            _ => {
+            Kind::BranchPoints => {
                 let signs = Signs { l_plus_n: Sign::new(d), l_minus_n: Sign::new(e) };
                 let phases = InitialAngles { theta: f, arg_alpha: g, arg_beta: h };
                 return Ok(Self::BranchPoints { e: [a, b, c], signs, phases });
@@ -74,11 +87,20 @@ impl Launch {
     }
 }
 
+/// Tilt in rad. Exactly 180 degrees become π, which means exactly downward, and no other number does.
+fn tilt_from_degrees(degrees: f64) -> f64 {
+    if degrees == 180.0 { PI } else { degrees.to_radians().min(PI.next_down()) }
+}
+
+/// Azimuth or roll in rad, without multiples of two turns. They do not change a state, which contains half angles.
+fn angle_from_degrees(degrees: f64) -> f64 {
+    (degrees % 720.0).to_radians()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::parameters::{self, tilt_from_degrees, top_parameters};
-    use core::f64::consts::PI;
+    use crate::parameters::{self, top_parameters};
     use toytop::Support;
 
     /// The toy top of the README: A, C, s, M, p, g, K.
@@ -90,7 +112,7 @@ mod tests {
         parameters::top(support, &top_parameters(numbers)).unwrap()
     }
 
-    fn launched(top: &Top, kind: &str, numbers: [f64; 8]) -> Motion {
+    fn launched(top: &Top, kind: Kind, numbers: [f64; 8]) -> Motion {
         Launch::new(kind, numbers).unwrap().motion(top).unwrap()
     }
 
@@ -110,11 +132,11 @@ mod tests {
             roll: 70_f64.to_radians(),
         };
         let state = State::from_release(&release).unwrap();
-        assert_eq!(launched(&top, "release", THROW), Motion::launch(&top, &state).unwrap());
+        assert_eq!(launched(&top, Kind::Release, THROW), Motion::launch(&top, &state).unwrap());
         let ([alpha, beta], omega) = ([state.orientation().alpha, state.orientation().beta], state.omega());
         let numbers = [alpha.re, alpha.im, beta.re, beta.im, omega[0], omega[1], omega[2], 0.0];
-        assert_eq!(launched(&top, "state", numbers), launched(&top, "release", THROW));
-        let of_roots = launched(&top, "branch_points", [0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(launched(&top, Kind::State, numbers), launched(&top, Kind::Release, THROW));
+        let of_roots = launched(&top, Kind::BranchPoints, [0.5, 0.75, 2.0, 1.0, -1.0, 0.0, 0.0, 0.0]);
         let (e, integrals) = (of_roots.branch_points(), of_roots.first_integrals());
         assert_eq!([e.e1, e.e2, e.e3], [0.5, 0.75, 2.0]);
         assert!(integrals.l.abs() < integrals.n.abs());
@@ -126,7 +148,10 @@ mod tests {
         let refused = |i: usize, x: f64| {
             let mut numbers = THROW;
             numbers[i] = x;
-            Launch::new("release", numbers).and_then(|launch| launch.motion(&top)).unwrap_err().parameter()
+            Launch::new(Kind::Release, numbers)
+                .and_then(|launch| launch.motion(&top))
+                .unwrap_err()
+                .parameter()
         };
         assert_eq!(
             [refused(0, 180.1), refused(0, -1.0), refused(1, f64::NAN), refused(2, 1e12)],

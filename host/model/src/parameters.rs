@@ -1,7 +1,6 @@
-//! Top and release from the numbers of a scenario.
+//! Top from the numbers of a scenario.
 
-use core::f64::consts::PI;
-use toytop::{ParameterError, Release, Support, Top, TopParameters};
+use toytop::{ParameterError, Support, Top, TopParameters};
 
 /// Supports of the tip by their names, in the order of their numbers on a page.
 pub const SUPPORTS: [(&str, Support); 3] =
@@ -41,27 +40,4 @@ pub fn top(support: Support, parameters: &TopParameters) -> Result<Top, Paramete
         Support::Fixed => Top::fixed(parameters),
         Support::Free => Top::free(parameters),
     }
-}
-
-/// Release from one with angles in degrees.
-pub fn release_from_degrees(release: Release) -> Release {
-    let [azimuth, roll] = [release.azimuth, release.roll].map(angle_from_degrees);
-    Release { tilt: tilt_from_degrees(release.tilt), azimuth, roll, ..release }
-}
-
-/// Tilt in rad. Exactly 180 degrees become π, which means exactly downward, and no other number does.
-pub fn tilt_from_degrees(degrees: f64) -> f64 {
-    let tilt = degrees.to_radians();
-    if degrees < 180.0 {
-        tilt.min(PI.next_down())
-    } else if degrees == 180.0 {
-        PI
-    } else {
-        tilt
-    }
-}
-
-/// Azimuth or roll in rad, without multiples of two turns. They do not change a state, which contains half angles.
-fn angle_from_degrees(degrees: f64) -> f64 {
-    (degrees % 720.0).to_radians()
 }

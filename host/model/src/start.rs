@@ -34,14 +34,14 @@ pub(crate) fn momentum(motion: &Motion) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::launch::Launch;
+    use crate::launch::{Kind, Launch};
     use crate::parameters::{self, top_parameters};
     use toytop::Support;
 
     /// Motion of a throw: tilt, spin, precession, nutation, azimuth and roll.
     fn thrown(support: Support, numbers: [f64; 7]) -> Motion {
         let top = parameters::top(support, &top_parameters(numbers)).unwrap();
-        let launch = Launch::new("release", [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0]);
+        let launch = Launch::new(Kind::Release, [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0]);
         launch.unwrap().motion(&top).unwrap()
     }
 

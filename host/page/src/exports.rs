@@ -8,7 +8,7 @@ use crate::table::{self, PageTable};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
-use toytop::{Motion, ParameterError, Support};
+use toytop::{Motion, ParameterError};
 use toytop_model::constants::{number_constants, regime, tip_class};
 use toytop_model::display_duration::display_duration;
 use toytop_model::launch::{KINDS, Launch};
@@ -73,10 +73,11 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
 }
 
 fn launched(support: u32, kind: u32) -> Result<TimedMotion, ParameterError> {
-    let support = SUPPORTS.get(support as usize).map_or(Support::Sliding, |(_, support)| *support);
+    let refused = |parameter| ParameterError::OutOfRange { parameter, allowed: "one of its words" };
+    let (_, support) = *SUPPORTS.get(support as usize).ok_or(refused("support"))?;
+    let (_, kind) = *KINDS.get(kind as usize).ok_or(refused("kind"))?;
     let numbers_of_top = from_fn(number);
     let top = parameters::top(support, &top_parameters(numbers_of_top))?;
-    let kind = KINDS.get(kind as usize).copied().unwrap_or_default();
     let launch = Launch::new(kind, from_fn(|i| number(numbers_of_top.len() + i)))?;
     let motion = TimedMotion::new(launch.motion(&top)?);
     TABLE.lock().set_up(&motion)?;

@@ -3,7 +3,7 @@
 use toytop::scalar::Float;
 use toytop::{Motion, Pose, TableF64, Top};
 use toytop_model::constants::number_constants;
-use toytop_model::launch::Launch;
+use toytop_model::launch::{Kind, Launch};
 use toytop_model::parameters::top_parameters;
 use toytop_model::timed_motion::TimedMotion;
 use toytop_page::exports::launch_names;
@@ -13,7 +13,7 @@ use toytop_page::table::{PageTable, pose_numbers};
 /// The toy top of the README, thrown.
 fn thrown() -> Motion {
     let top = top_parameters([3.0e-5, 2.0e-5, 0.03, 0.05, 0.0, 9.81, 0.0]);
-    let launch = Launch::new("release", [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0]);
+    let launch = Launch::new(Kind::Release, [20.0, 150.0, 4.0, -3.0, 50.0, 70.0, 0.0, 0.0]);
     launch.unwrap().motion(&Top::sliding(&top).unwrap()).unwrap()
 }
 

@@ -60,10 +60,10 @@ pub(crate) fn fit<'py>(
         let residuals = report.residuals(&readings);
         Ok((report, residuals))
     })?
-    .map_err(|(parameter, reason): Refusal| value_error(parameter, reason))?;
+    .map_err(|Refusal { name, reason }| value_error(name, reason))?;
     let mut by_column = Columns { t: given.t, readings: Vec::new() };
-    for (sensor, setup) in report.input.sensors.setups.iter().enumerate() {
-        for (component, name) in setup.kind.residuals().iter().enumerate() {
+    for (sensor, model) in report.input.sensors.models.iter().enumerate() {
+        for (component, name) in model.kind.residuals().iter().enumerate() {
             let mut column = vec![f64::NAN; by_column.t.len()];
             for ((row, measurement), residual) in rows.iter().zip(&residuals) {
                 if measurement.sensor == sensor {
@@ -158,7 +158,7 @@ fn columns(samples: &Bound<'_, PyDict>, sensors: &mut Sensors, all: bool) -> PyR
         Err(value_error(&full_name, reason))
     };
     let t = column("t", None)?;
-    let wanted = sensors.setups.iter().flat_map(|setup| setup.kind.columns().iter().copied());
+    let wanted = sensors.models.iter().flat_map(|model| model.kind.columns().iter().copied());
     let readings: PyResult<Vec<_>> = wanted.map(|name| Ok((name, column(name, Some(t.len()))?))).collect();
     Ok(Columns { t, readings: readings? })
 }

@@ -26,8 +26,8 @@ impl Columns {
         let same = |a: &Measurement, b: &Measurement| a.time == b.time && a.sensor < b.sensor;
         let rows: Vec<_> = measurements.chunk_by(same).collect();
         let mut readings = Vec::new();
-        for (sensor, setup) in sensors.setups.iter().enumerate() {
-            for (component, name) in setup.kind.columns().iter().enumerate() {
+        for (sensor, model) in sensors.models.iter().enumerate() {
+            for (component, name) in model.kind.columns().iter().enumerate() {
                 let reading = |row: &&[Measurement]| {
                     let own = row.iter().find(|measurement| measurement.sensor == sensor);
                     own.map_or(f64::NAN, |measurement| measurement.values[component])
@@ -63,8 +63,8 @@ impl Columns {
             }
             last = time;
             let mut rest = &self.readings[..];
-            for (sensor, setup) in sensors.setups.iter().enumerate() {
-                let (columns, others) = rest.split_at(setup.kind.columns().len());
+            for (sensor, model) in sensors.models.iter().enumerate() {
+                let (columns, others) = rest.split_at(model.kind.columns().len());
                 rest = others;
                 if columns.iter().all(|(_, readings)| readings[row].is_nan()) {
                     continue;
@@ -75,7 +75,7 @@ impl Columns {
                     if !value.is_finite() {
                         return refuse(name, "must be a finite number, as the sensor has a reading");
                     }
-                    if value.abs() > RANGE_TOLERANCE * setup.range {
+                    if value.abs() > RANGE_TOLERANCE * model.range {
                         return refuse(name, "must be at most the range of the sensor: another unit?");
                     }
                 }

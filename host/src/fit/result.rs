@@ -75,16 +75,16 @@ impl FitInput {
 /// # Errors
 /// [`Refusal`] of `free`, `huber`, `drift` or `samples`.
 pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitResult, Refusal> {
-    let ratios = input.ratios().map_err(|reason| ("free", reason))?;
+    let ratios = input.ratios().map_err(|reason| Refusal::new("free", reason))?;
     if input.huber.is_nan() || input.huber < 1.0 {
-        return Err(("huber", "must be a number from 1, or inf".to_owned()));
+        return Err(Refusal::new("huber", "must be a number from 1, or inf"));
     }
     let refuse = |error: FitError| match error {
-        FitError::Deviation { .. } => ("drift", "must be a positive number".to_owned()),
+        FitError::Deviation { .. } => Refusal::new("drift", "must be a positive number"),
         FitError::TooManyUnknowns if input.drift.is_some() => {
-            ("free", "must be at most one name with a drift".to_owned())
+            Refusal::new("free", "must be at most one name with a drift")
         }
-        _ => ("samples", error.to_string()),
+        _ => Refusal::new("samples", error.to_string()),
     };
     let listed = input.sensors.as_sensors();
     let mut fit = Fit::new(&input.top, &listed, &ratios).map_err(refuse)?.with_huber(input.huber);
@@ -109,7 +109,7 @@ fn has_beginning(sensors: &Sensors, measurements: &[Measurement]) -> bool {
     const FIRST: usize = 64;
     let [mut direction, mut rate] = [false; 2];
     for Measurement { sensor, values, .. } in measurements.iter().take(FIRST) {
-        match sensors.setups.get(*sensor).map(|setup| setup.sensor.hint(values)) {
+        match sensors.models.get(*sensor).map(|model| model.sensor.hint(values)) {
             Some(Hint::Orientation(_) | Hint::Axis(_) | Hint::Tip(_)) => return true,
             Some(Hint::Direction { .. }) => direction = true,
             Some(Hint::Rate { .. }) => rate = true,
@@ -167,11 +167,11 @@ impl FitResult {
         let before = self.input.free.len() + losses;
         let values = self.fitted.launch.other_unknowns()[before..].as_chunks().0;
         let deviations = deviations[6 + before..].as_chunks().0;
-        let setups = self.input.sensors.setups.iter();
-        let biased = setups.filter(|setup| setup.sensor.noise().bias_deviation > 0.0);
+        let models = self.input.sensors.models.iter();
+        let biased = models.filter(|model| model.sensor.noise().bias_deviation > 0.0);
         let estimates =
             values.iter().zip(deviations).map(|(&value, &deviation)| Estimated { deviation, value });
-        biased.map(|setup| setup.kind.name()).zip(estimates).collect()
+        biased.map(|model| model.kind.name()).zip(estimates).collect()
     }
 
     /// Whether any value was used. Otherwise the launch is only the first guess.
@@ -226,10 +226,10 @@ impl FitResult {
             let Some(partials) = sensitivity.advance_to(time - self.fitted.launch_time) else {
                 return [f64::NAN; 3];
             };
-            let setup = &self.input.sensors.setups[*sensor];
-            let bias = biases.iter().find(|(name, _)| *name == setup.kind.name());
+            let model = &self.input.sensors.models[*sensor];
+            let bias = biases.iter().find(|(name, _)| *name == model.kind.name());
             let bias = bias.map_or([0.0; 3], |(_, bias)| bias.value);
-            let predicted = setup.sensor.residual(&partials, values);
+            let predicted = model.sensor.residual(&partials, values);
             [0, 1, 2].map(|k| {
                 let deviation = predicted.deviation[k];
                 if deviation.is_finite() { (predicted.difference[k] - bias[k]) / deviation } else { f64::NAN }

@@ -96,7 +96,7 @@ impl SensorKind {
 }
 
 /// Sensor with the errors of its readings.
-pub struct SensorSetup {
+pub struct SensorModel {
     /// Kind of the sensor.
     pub kind: SensorKind,
     /// Sensor as the core has it.
@@ -112,7 +112,7 @@ pub struct SensorSetup {
 /// Sensors, and errors of their clock.
 pub struct Sensors {
     /// Sensors, at most four.
-    pub setups: Vec<SensorSetup>,
+    pub models: Vec<SensorModel>,
     /// Standard deviation of the difference between the true and the stated time of a sample, s.
     pub jitter: f64,
     /// Share of samples that are lost.
@@ -151,7 +151,7 @@ pub fn centre_of_mass(top: &Top, com_height: f64) -> [f64; 3] {
 impl Sensors {
     /// Sensors as the core takes them.
     pub fn as_sensors(&self) -> Vec<&dyn Sensor> {
-        self.setups.iter().map(|setup| &*setup.sensor as &dyn Sensor).collect()
+        self.models.iter().map(|model| &*model.sensor as &dyn Sensor).collect()
     }
 
     /// A consumer MEMS gyroscope (2000 degrees per second, noise 0.005 degrees per second and root hertz in 500 Hz, bias 1
@@ -187,14 +187,14 @@ impl Sensors {
     /// [`Failure::Input`]: a key is unknown, missing or out of range.
     pub fn from_table(file: &str, table: &Table, com: [f64; 3]) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(format!("{file}: {reason}")));
-        let mut sensors = Self { setups: Vec::new(), jitter: 0.0, dropped: 0.0 };
+        let mut sensors = Self { models: Vec::new(), jitter: 0.0, dropped: 0.0 };
         for (name, value) in table {
             let Value::Table(table) = value else {
                 return refuse(format!("{}: must be a table", excerpt(name)));
             };
             let section = Section { file, name, table };
             match SensorKind::ALL.into_iter().find(|kind| kind.name() == name) {
-                Some(kind) => sensors.setups.push(setup(&section, kind, com)?),
+                Some(kind) => sensors.models.push(read_model(&section, kind, com)?),
                 None if name == "timing" => {
                     [sensors.jitter, sensors.dropped] = section.only_numbers(None, &TIMING)?;
                 }
@@ -204,11 +204,11 @@ impl Sensors {
                 }
             }
         }
-        if !(1..=4).contains(&sensors.setups.len()) {
+        if !(1..=4).contains(&sensors.models.len()) {
             return refuse("must have one to four sensors".to_owned());
         }
         // in the order of the columns, in any order of the file
-        sensors.setups.sort_by_key(|setup| setup.kind as u8);
+        sensors.models.sort_by_key(|model| model.kind as u8);
         Ok(sensors)
     }
 
@@ -220,12 +220,12 @@ impl Sensors {
     /// Requirement that the columns do not meet: at least one sensor must have all its columns, or with `all` every sensor.
     pub fn retain_with_columns(&mut self, has: impl Fn(&str) -> bool, all: bool) -> Result<(), String> {
         let present = |columns: &[&'static str]| columns.iter().all(|name| has(name));
-        if all && let Some(missing) = self.setups.iter().find(|one| !present(one.kind.columns())) {
+        if all && let Some(missing) = self.models.iter().find(|one| !present(one.kind.columns())) {
             let columns = missing.kind.columns().join(", ");
             return Err(format!("must have the columns of the {}: {columns}", missing.kind.name()));
         }
-        self.setups.retain(|setup| present(setup.kind.columns()));
-        if self.setups.is_empty() {
+        self.models.retain(|model| present(model.kind.columns()));
+        if self.models.is_empty() {
             let names: Vec<_> = SensorKind::ALL.iter().map(|kind| kind.columns().join(",")).collect();
             return Err(format!("must have the columns of a sensor: {}", names.join("; ")));
         }
@@ -250,8 +250,8 @@ static ROTATION: Key = Key::required("rotation", "a unit quaternion [w, x, y, z]
 static POSITION: Key = Key::required("position", "an array of 3 finite numbers");
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
-fn setup(section: &Section<'_>, kind: SensorKind, com: [f64; 3]) -> Result<SensorSetup, Failure> {
-    section.only(None, kind.description().3.iter().copied())?;
+fn read_model(section: &Section<'_>, kind: SensorKind, com: [f64; 3]) -> Result<SensorModel, Failure> {
+    section.refuse_other_keys(None, kind.description().3.iter().copied())?;
     let [deviation, bias_deviation, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias_deviation };
     if every.fract() != 0.0 {
@@ -283,5 +283,5 @@ fn setup(section: &Section<'_>, kind: SensorKind, com: [f64; 3]) -> Result<Senso
             Box::new(Mark { deviation, place: section.array(&POSITION, Some([1.0, 0.0, 0.0]))? })
         }
     };
-    Ok(SensorSetup { kind, sensor, range, quantum, every: every as u64 })
+    Ok(SensorModel { kind, sensor, range, quantum, every: every as u64 })
 }

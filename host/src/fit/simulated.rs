@@ -1,6 +1,6 @@
 //! Simulated measurements of a motion.
 
-use super::sensors::{SensorKind, SensorSetup, Sensors};
+use super::sensors::{SensorKind, SensorModel, Sensors};
 use crate::input::random::Random;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
@@ -37,23 +37,23 @@ pub fn simulate_measurements(
     let sensitivity = Sensitivity::new(motion);
     let mut cursor = sensitivity;
     let mut random = Random::new(recording.seed, 0);
-    let setups = &sensors.setups;
-    let biases: Vec<_> = setups
+    let models = &sensors.models;
+    let biases: Vec<_> = models
         .iter()
         .map(|one| [0; 3].map(|_| one.sensor.noise().bias_deviation * normal(&mut random)))
         .collect();
     let mut measurements = Vec::new();
     // angles of the marks at the sample before
-    let mut before: Vec<Option<f64>> = vec![None; setups.len()];
+    let mut before: Vec<Option<f64>> = vec![None; models.len()];
     for n in 0..recording.count {
         let time = n as f64 / recording.sample_rate;
         let partials = cursor.advance_to(time + sensors.jitter * normal(&mut random))?;
         let dropped = random.uniform() < sensors.dropped;
-        for (sensor, setup) in setups.iter().enumerate() {
-            let SensorSetup { kind, sensor: model, range, quantum, every } = setup;
-            let noise = model.noise();
+        for (sensor, model) in models.iter().enumerate() {
+            let SensorModel { kind, sensor: ideal, range, quantum, every } = model;
+            let noise = ideal.noise();
             // the difference of a reading of 0 from the prediction
-            let difference = |partials: &Partials| model.residual(partials, &[0.0; 4]).difference;
+            let difference = |partials: &Partials| ideal.residual(partials, &[0.0; 4]).difference;
             if *kind == SensorKind::Mark {
                 let ahead = |time| Some(difference(&sensitivity.at(time)?)[0]);
                 let [now, ..] = difference(&partials);

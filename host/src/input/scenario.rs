@@ -19,7 +19,7 @@ use serde_json::json;
 use std::path::Path;
 use toml::{Table, Value};
 use toytop::{InitialAngles, Top, TopParameters};
-use toytop_model::launch::KINDS;
+use toytop_model::launch::{KINDS, Kind};
 use toytop_model::parameters::SUPPORTS;
 use toytop_model::timed_motion::TimedMotion;
 use toytop_model::unit::Unit;
@@ -106,7 +106,8 @@ impl ScenarioFile {
         for (name, value) in &mut table {
             let Value::Table(table) = value else { continue };
             let replaced = replace_units(table, has_units).and_then(|()| replace_angles(table));
-            replaced.map_err(|(key, reason)| Section { file, name, table }.failure(key, &reason))?;
+            replaced
+                .map_err(|refusal| Section { file, name, table }.failure(refusal.name, &refusal.reason))?;
         }
         Ok(Self { file: file.to_owned(), name: file.to_owned(), table })
     }
@@ -153,9 +154,11 @@ impl ScenarioFile {
     /// # Errors
     /// [`Failure::Input`]: the scenario has no such number; the message lists those it has.
     pub fn require_key(&self, name: &str) -> Result<&'static str, Failure> {
-        let kind = self.table.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
-        let numbers = top::KEYS.iter().chain(motion::numbers(kind.unwrap_or_default()));
-        let names: Vec<_> = numbers.map(|key| key.name).collect();
+        let word = self.table.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
+        // a state has lists of numbers
+        let is_kind = |(name, kind): &&(&str, Kind)| Some(*name) == word && *kind != Kind::State;
+        let of_motion = KINDS.iter().find(is_kind).map_or(&[][..], |(_, kind)| motion::keys(*kind));
+        let names: Vec<_> = top::KEYS.iter().chain(of_motion).map(|key| key.name).collect();
         names.iter().copied().find(|known| *known == name).ok_or_else(|| {
             let (name, allowed) = (excerpt(name), names.join(", "));
             Failure::Input(format!("{}: {name}: no number of this scenario; allowed: {allowed}", self.file))
@@ -200,13 +203,15 @@ pub fn to_toml(top: &Table, launch: &Launch) -> String {
 /// Supports and kinds of motion of a scenario, and the keys of each table with their default values.
 pub fn keys_as_json() -> serde_json::Value {
     let keys = |keys: &[Key]| keys.iter().map(|key| (key.name, key.default)).collect::<Vec<_>>();
-    let kinds: Vec<_> = KINDS.iter().zip(motion::KEYS).map(|(kind, of_kind)| (kind, keys(of_kind))).collect();
+    let kinds = KINDS.map(|(name, kind)| (name, keys(motion::keys(kind))));
     json!({ "supports": SUPPORTS.map(|(name, _)| name), "top": keys(&top::KEYS), "kinds": kinds })
 }
 
 /// Replaces numbers with units by numbers in the units of their keys.
 fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refusal> {
-    for Key { name, units, .. } in top::KEYS.iter().chain(motion::KEYS.into_iter().flatten()) {
+    for Key { name, units, .. } in
+        top::KEYS.iter().chain(KINDS.iter().flat_map(|(_, kind)| motion::keys(*kind)))
+    {
         let entries = match table.get_mut(*name) {
             Some(Value::Array(entries)) => &mut entries[..],
             Some(value) => std::slice::from_mut(value),
@@ -218,9 +223,9 @@ fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refusal> {
                 continue;
             }
             if !has_units && *units != RADIANS {
-                return Err((name, "must be a number, because of units = \"none\"".to_owned()));
+                return Err(Refusal::new(name, "must be a number, because of units = \"none\""));
             }
-            *entry = Value::Float(units::parse(text, units).map_err(|reason| (*name, reason))?);
+            *entry = Value::Float(units::parse(text, units).map_err(|reason| Refusal::new(name, reason))?);
         }
     }
     Ok(())
@@ -233,7 +238,7 @@ fn replace_angles(table: &mut Table) -> Result<(), Refusal> {
     }
     for (key, in_degrees) in motion::ANGLES {
         let Some(value) = table.remove(key) else { continue };
-        let refuse = |reason| (key, reason);
+        let refuse = |reason| Refusal::new(key, reason);
         // a bare number would be ambiguous: degrees or radians
         let text = value.as_str().ok_or_else(|| {
             refuse(format!("must be a text with a unit, as \"20 deg\", or {in_degrees} a number"))

@@ -77,7 +77,7 @@ impl Section<'_> {
     /// Refuses all keys except `names` and the key of `choice`.
     ///
     /// * `choice`: key that selects the kind of the table, with its value
-    pub fn only<'a>(
+    pub fn refuse_other_keys<'a>(
         &self,
         choice: Option<(&'a str, &str)>,
         names: impl Iterator<Item = &'a str>,
@@ -104,17 +104,17 @@ impl Section<'_> {
         }
     }
 
-    /// Value of a key that is one of several words, with an optional default.
-    pub fn choice(
+    /// Word of a key and its meaning, one of several, with an optional default.
+    pub fn choice<T: Copy>(
         &self,
         key: &str,
-        words: &[&'static str],
-        default: Option<&'static str>,
-    ) -> Result<&'static str, Failure> {
-        let quoted: Vec<_> = words.iter().map(|word| format!("{word:?}")).collect();
+        choices: &[(&'static str, T)],
+        default: Option<(&'static str, T)>,
+    ) -> Result<(&'static str, T), Failure> {
+        let quoted: Vec<_> = choices.iter().map(|(word, _)| format!("{word:?}")).collect();
         let allowed = format!("one of {}", quoted.join(", "));
-        let word = |value: &Value| words.iter().copied().find(|word| value.as_str() == Some(word));
-        self.value((key, &allowed), default, word)
+        let chosen = |value: &Value| choices.iter().copied().find(|(word, _)| value.as_str() == Some(word));
+        self.value((key, &allowed), default, chosen)
     }
 
     /// Like [`numbers`](Self::numbers); refuses keys other than these and `choice`.
@@ -123,7 +123,7 @@ impl Section<'_> {
         choice: Option<(&str, &str)>,
         keys: &[Key; N],
     ) -> Result<[f64; N], Failure> {
-        self.only(choice, keys.iter().map(|key| key.name))?;
+        self.refuse_other_keys(choice, keys.iter().map(|key| key.name))?;
         self.numbers(keys)
     }
 

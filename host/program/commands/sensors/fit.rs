@@ -17,7 +17,7 @@ use toytop_host::fit::sensors::{Sensors, centre_of_mass};
 use toytop_host::fit::summary::FitSummary;
 use toytop_host::input::scenario::ScenarioFile;
 use toytop_host::output::{self, Format};
-use toytop_host::{Failure, excerpt};
+use toytop_host::{Failure, Refusal, excerpt};
 
 /// Launch of a top from samples of sensors, with error bars
 ///
@@ -78,11 +78,11 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let table = scenario.table.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
     let samples = samples.display();
-    let fit = fit_launch(input, &measurements).map_err(|(parameter, reason)| {
-        Failure::Input(match parameter {
+    let fit = fit_launch(input, &measurements).map_err(|Refusal { name, reason }| {
+        Failure::Input(match name {
             "samples" => format!("{samples}: {reason}"),
-            "huber" | "drift" => format!("--{parameter}: {reason}"),
-            _ => format!("--{parameter}: {reason} ({})", scenario.file),
+            "huber" | "drift" => format!("--{name}: {reason}"),
+            _ => format!("--{name}: {reason} ({})", scenario.file),
         })
     })?;
     let converged = fit.fitted.is_trusted();

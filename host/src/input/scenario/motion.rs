@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{RADIANS, RATE};
 use toytop::{Motion, Release, Top};
-use toytop_model::launch::{KINDS, Launch};
+use toytop_model::launch::{KINDS, Kind, Launch};
 
 const RATE_RANGE: &str = "a number of rad/s, at most 1e11 in size";
 const SPIN: &str = "a number of rad/s, at most 1e11 in size: the whole component of omega along the axis";
@@ -43,15 +43,12 @@ static BRANCH_POINTS: [Key; 8] = [
     Key::optional("arg_beta", 0.0, ANGLE).with_units(RADIANS),
 ];
 
-/// Keys of the [`KINDS`], in the order of the numbers of [`Launch::new`].
-pub static KEYS: [&[Key]; 3] = [&RELEASE, &STATE, &BRANCH_POINTS];
-
-/// Keys of a kind that hold one number each.
-pub fn numbers(kind: &str) -> &'static [Key] {
+/// Keys of a kind, in the order of the numbers of [`Launch::new`].
+pub fn keys(kind: Kind) -> &'static [Key] {
     match kind {
-        "release" => &RELEASE,
-        "branch_points" => &BRANCH_POINTS,
-        _ => &[],
+        Kind::Release => &RELEASE,
+        Kind::State => &STATE,
+        Kind::BranchPoints => &BRANCH_POINTS,
     }
 }
 
@@ -65,22 +62,22 @@ pub fn fastest_rate(release: &Release) -> &'static str {
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failure> {
     let refused = |error| section.refusal(&error);
-    let kind = section.choice("kind", &KINDS, None)?;
-    let choice = Some(("kind", kind));
+    let (name, kind) = section.choice("kind", &KINDS, None)?;
+    let choice = Some(("kind", name));
     let (numbers, fastest) = match kind {
-        "release" => {
+        Kind::Release => {
             let [tilt, spin, precession, nutation, azimuth, roll] = section.only_numbers(choice, &RELEASE)?;
             let rates = Release { spin, precession, nutation, ..Release::default() };
             ([tilt, spin, precession, nutation, azimuth, roll, 0.0, 0.0], fastest_rate(&rates))
         }
-        "state" => {
-            section.only(choice, STATE.iter().map(|key| key.name))?;
+        Kind::State => {
+            section.refuse_other_keys(choice, STATE.iter().map(|key| key.name))?;
             let [alpha, beta, omega] = &STATE;
             let ([a, b], [c, d]) = (section.array(alpha, None)?, section.array(beta, None)?);
             let [x, y, z] = section.array(omega, None)?;
             ([a, b, c, d, x, y, z, 0.0], "omega")
         }
-        _ => {
+        Kind::BranchPoints => {
             let numbers = section.only_numbers(choice, &BRANCH_POINTS)?;
             for (key, sign) in [("sign_l_plus_n", numbers[3]), ("sign_l_minus_n", numbers[4])] {
                 if sign.abs() != 1.0 {

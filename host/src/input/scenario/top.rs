@@ -4,7 +4,7 @@ use crate::Failure;
 use crate::input::section::{Key, Section};
 use crate::input::units::{ACCELERATION, ANGULAR_MOMENTUM, INERTIA, LENGTH, MASS, MOMENT};
 use toytop::{Support, Top, TopParameters};
-use toytop_model::parameters::{self, SUPPORTS, support_named, top_parameters};
+use toytop_model::parameters::{self, SUPPORTS, top_parameters};
 
 const MAGNITUDE: &str = "a number between 1e-60 and 1e60";
 
@@ -22,8 +22,7 @@ pub static KEYS: [Key; 7] = [
 
 /// Top, and the numbers that are given for it.
 pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
-    let name = section.choice("support", &SUPPORTS.map(|(name, _)| name), Some("sliding"))?;
-    let support = support_named(name).expect("one of them");
+    let (name, support) = section.choice("support", &SUPPORTS, Some(SUPPORTS[0]))?;
     let parameters = top_parameters(section.only_numbers(Some(("support", name)), &KEYS)?);
     let refused = |error| section.refusal(&error);
     // of a free body the other keys are allowed and have no effect

@@ -161,11 +161,11 @@ fn sensors(set: usize, com: [f64; 3]) -> Result<Sensors, Failure> {
         _ => Sensors::telephone(com),
     };
     if set == 1 {
-        sensors.setups.truncate(2);
+        sensors.models.truncate(2);
     }
     // rounding is not normally distributed, and is no part of the stated noise
-    for setup in &mut sensors.setups {
-        setup.quantum = 0.0;
+    for model in &mut sensors.models {
+        model.quantum = 0.0;
     }
     Ok(sensors)
 }

@@ -18,12 +18,12 @@ pub fn draw(report: &FitResult, measurements: &[Measurement]) -> Scene {
         LinePlot::new().with_data(ends.map(|t| (t, x))).with_color(BOUND).with_stroke_width(0.8).into()
     };
     let (mut strips, mut layouts) = (Vec::new(), Vec::new());
-    for (sensor, setup) in report.input.sensors.setups.iter().enumerate() {
+    for (sensor, model) in report.input.sensors.models.iter().enumerate() {
         let huber = report.input.huber;
         let limits = [huber, -huber].into_iter().filter(|x| x.is_finite());
         let mut furthest = limits.clone().fold(4.0, f64::max);
         let mut strip: Vec<Plot> = limits.map(level).collect();
-        for (k, (name, color)) in setup.kind.residuals().iter().zip(COLORS).enumerate() {
+        for (k, (name, color)) in model.kind.residuals().iter().zip(COLORS).enumerate() {
             let of_sensor = measurements.iter().zip(&residuals).filter(|(sample, _)| sample.sensor == sensor);
             let points = of_sensor.map(|(sample, residual)| (sample.time, residual[k]));
             let points: Vec<_> = points.filter(|(_, residual)| residual.is_finite()).collect();
@@ -33,7 +33,7 @@ pub fn draw(report: &FitResult, measurements: &[Measurement]) -> Scene {
                 strip.push(dots.with_legend(*name).into());
             }
         }
-        let title = format!("{}: residuals of the fit, standard deviations", setup.kind.name());
+        let title = format!("{}: residuals of the fit, standard deviations", model.kind.name());
         let range = [-1.1 * furthest, 1.1 * furthest];
         let layout = frame(&strip, &title, "t, s", [ends, range]).with_title_size(14).with_show_grid(false);
         layouts.push(layout.with_force_margins(60.0, 110.0));
