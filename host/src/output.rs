@@ -51,9 +51,14 @@ impl Formatter for Digits {
 
 /// Rows as CSV below the header of the first one.
 fn csv(rows: &[impl Serialize]) -> String {
-    let header = rows.iter().take(1).map(|row| csv_line(fields(row).into_iter().map(|(name, _)| name)));
+    let header = rows.iter().take(1).map(csv_header);
     let line = |row| csv_line(fields(row).into_iter().map(|(_, value)| value));
     header.chain(rows.iter().map(line)).collect()
+}
+
+/// Line of CSV with the names of a row.
+pub fn csv_header(row: &impl Serialize) -> String {
+    csv_line(fields(row).into_iter().map(|(name, _)| name))
 }
 
 /// Names of the parts of a list of two, three or four numbers.

@@ -1,9 +1,9 @@
 //! Euler-Poisson equations of the toy top for (Phi, m) in the fixed frame. They use no angles, do not divide by 1 - u^2, and do not use
 //! that the motion is integrable.
 
-use toytop::scalar::Float;
+use toytop::scalar::{Float, Real};
 pub use toytop::su2::{cross, dot};
-use toytop::{Complex, Orientation, Top};
+use toytop::{AttitudeState, Complex, Orientation, Top};
 
 /// Vector of the fixed frame, in which k = (0, 0, 1) points up.
 type Vector = [f64; 3];
@@ -55,6 +55,14 @@ pub struct Rates {
     pub omega_body: [f64; 3],
     /// Rate u' of the cosine of the tilt, per unit time.
     pub udot: f64,
+}
+
+impl Rates {
+    /// Rates of an attitude state of the core.
+    pub fn from_attitude<R: Real>(state: &AttitudeState<R>) -> Self {
+        let [omega, omega_body] = [state.omega(), state.omega_body()].map(|vector| vector.map(R::to_f64));
+        Self { omega, omega_body, udot: state.udot().to_f64() }
+    }
 }
 
 /// Parameters of the motion: A, C, p s, p g and K, in any units of inertia and time.

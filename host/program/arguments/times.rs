@@ -1,7 +1,7 @@
 //! Times at which a motion is computed: times or ticks on the command line, or a file of times.
 
 use crate::arguments::values::{FINITE, Values, counted_values, number};
-use clap::Args;
+use clap::{ArgGroup, Args};
 use std::path::{Path, PathBuf};
 use toytop_host::input::require_within;
 use toytop_host::input::text_file;
@@ -10,6 +10,7 @@ use toytop_host::{Failure, excerpt};
 /// Times of `toytop state`: exactly one of --times, --times-file, --ticks and --from.
 #[derive(Args)]
 #[group(skip)]
+#[command(group = ArgGroup::new("instants").required(true).args(["times", "times_file", "ticks", "from"]))]
 pub struct TimesArgs {
     /// Times, s, in any order: T1,T2,... or LOW..HIGH/COUNT, both ends included; log:LOW..HIGH/COUNT is even in the logarithm
     #[arg(long, value_name = "T1,T2,...", value_parser = counted_values, allow_hyphen_values = true)]
@@ -56,12 +57,12 @@ impl Times {
             TimesArgs { times: Some(values), .. } => Self::new("--times".to_owned(), values),
             TimesArgs { times_file: Some(path), .. } => Self::read_file(path),
             TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
-            TimesArgs { from, to, count, .. } => {
-                let [from, to] = [from, to].map(|time| time.unwrap_or_default());
-                let values = Values::range([from, to], false, *count, ["--from", "--to", "--count"])
+            TimesArgs { from: Some(from), to: Some(to), count, .. } => {
+                let values = Values::range([*from, *to], false, *count, ["--from", "--to", "--count"])
                     .map_err(Failure::Input)?;
                 Self::new("--from, --to, --count".to_owned(), &values)
             }
+            _ => Err(Failure::Input("must have --times, --times-file, --ticks or --from".to_owned())),
         }
     }
 

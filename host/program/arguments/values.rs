@@ -88,10 +88,10 @@ impl Values {
         self.count().unwrap_or(1)
     }
 
-    /// Value with this index. A continuous range has the index 0, whose value is its lower end.
+    /// Value with this index, which is below [`size`](Self::size). A continuous range has the lower end.
     pub fn at(&self, index: u64) -> f64 {
         match self {
-            Self::List(numbers) => numbers.get(index as usize).copied().unwrap_or(f64::NAN),
+            Self::List(numbers) => numbers[index as usize],
             _ => self.between(index as f64 / (self.size().max(2) - 1) as f64),
         }
     }

@@ -40,17 +40,11 @@ impl MotionSample {
         let orientation = state.orientation.map(R::to_f64);
         let u = state.orientation.u().to_f64().clamp(-1.0, 1.0);
         let pose = Pose { orientation, u, tip: tip.map(R::to_f64) };
-        Self { t, pose, rates: body_rates(state), tip_angle, error_bound: None }
+        Self { t, pose, rates: Rates::from_attitude(state), tip_angle, error_bound: None }
     }
 }
 
 const NAN: Complex<f64> = Complex { re: f64::NAN, im: f64::NAN };
-
-/// Rates of an attitude state of the core.
-pub fn body_rates<R: Real>(state: &AttitudeState<R>) -> Rates {
-    let [omega, omega_body] = [state.omega(), state.omega_body()].map(|vector| vector.map(R::to_f64));
-    Rates { omega, omega_body, udot: state.udot().to_f64() }
-}
 
 /// Angle in radians of a phase known modulo 2^32 turns, nearest to `near`, a number of turns.
 pub fn unwrapped(phase: Phase, near: f64) -> f64 {

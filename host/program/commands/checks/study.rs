@@ -44,7 +44,7 @@ enum Study {
 /// Arguments of both studies.
 #[derive(Args)]
 struct StudyOptions {
-    /// Number of launches, of each set of sensors in a study of fits
+    /// Number of launches; in a study of fits, for each set of sensors
     #[arg(long, value_name = "N", default_value_t = 10_000, value_parser = clap::value_parser!(u64).range(1..=100_000_000))]
     motions: u64,
     /// Seed of the random launches

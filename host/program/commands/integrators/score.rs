@@ -87,9 +87,9 @@ impl ScoredFile {
     }
 }
 
-/// Integration method. The names are the keys of JSON.
+/// Files of one integration method. The names are the keys of JSON.
 #[derive(Serialize)]
-struct Integrator {
+struct MethodSummary {
     method: String,
     /// Number of its files.
     files: usize,
@@ -150,39 +150,39 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
             end,
         });
     }
-    let integrators = measure_orders(&mut files, &mut warnings);
+    let methods = measure_orders(&mut files, &mut warnings);
     if let Some(path) = plot {
-        draw(path, &scenario, &files, &integrators)?;
+        draw(path, &scenario, &files, &methods)?;
     }
-    let order = if let [only] = &integrators[..] { only.order } else { None };
+    let order = if let [only] = &methods[..] { only.order } else { None };
     let document = json!({
         "files": files,
-        "methods": integrators,
+        "methods": methods,
         "order": order,
         "scenario": scenario.name,
         "sign": "nearest",
     });
-    let text = output::render(*format, &document, &files, || tables(&files, &integrators));
+    let text = output::render(*format, &document, &files, || tables(&files, &methods));
     Ok(Report::from(text).with_notes(warnings))
 }
 
 /// Methods by their first files. Sets the orders of convergence of each file. Files of one method that end at different times get no order
 /// of convergence, and a warning states it.
-fn measure_orders(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<Integrator> {
+fn measure_orders(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<MethodSummary> {
     let mut names: Vec<String> = Vec::new();
     for file in &*files {
         if !names.iter().any(|name| name == file.method()) {
             names.push(file.method().to_owned());
         }
     }
-    let integrator = |method: String| {
+    let summary = |method: String| {
         let mut files: Vec<_> = files.iter_mut().filter(|file| file.method() == method).collect();
         let count = files.len();
         let first = files[0].end;
         if let Some(other) = files.iter().find(|file| (file.end - first).abs() > 1e-6 * first.abs()) {
             let both = format!("{} and {}", files[0].name, other.name);
             warnings.push(format!("warning: no order: {both} end at different times"));
-            return Integrator { method, files: count, order: None };
+            return MethodSummary { method, files: count, order: None };
         }
         // files without a step come last
         files.sort_by(|a, b| b.step.unwrap_or(0.0).total_cmp(&a.step.unwrap_or(0.0)));
@@ -193,9 +193,9 @@ fn measure_orders(files: &mut [ScoredFile], warnings: &mut Vec<String>) -> Vec<I
         for (file, pair) in files.iter_mut().skip(1).zip(points.windows(2)) {
             file.order = order::between(pair[0], pair[1]);
         }
-        Integrator { method, files: count, order }
+        MethodSummary { method, files: count, order }
     };
-    names.into_iter().map(integrator).collect()
+    names.into_iter().map(summary).collect()
 }
 
 /// Draws the greatest error against the work for each method. The work is the number of evaluations of the equations if every file states
@@ -204,7 +204,7 @@ fn draw(
     path: &Path,
     scenario: &Scenario,
     files: &[ScoredFile],
-    integrators: &[Integrator],
+    methods: &[MethodSummary],
 ) -> Result<(), Failure> {
     let counted = files.iter().all(|file| file.evaluations.is_some());
     let period = scenario.motion.characteristic_time();
@@ -217,7 +217,7 @@ fn draw(
         Ok([work, file.score.max_error_rad])
     };
     let mut curves = Vec::new();
-    for Integrator { method, order, .. } in integrators {
+    for MethodSummary { method, order, .. } in methods {
         let order = order.map(|order| format!("measured order {order:.2}"));
         let label: Vec<_> =
             [Some(method.clone()).filter(|name| !name.is_empty()), order].into_iter().flatten().collect();
@@ -236,7 +236,7 @@ fn draw(
 }
 
 /// Table of the errors, table of the phase errors and drifts, and the orders of convergence.
-fn tables(files: &[ScoredFile], integrators: &[Integrator]) -> String {
+fn tables(files: &[ScoredFile], methods: &[MethodSummary]) -> String {
     let errors = |file: &ScoredFile| {
         let ScoredFile { name, rows, step, score, order, .. } = file;
         [
@@ -269,7 +269,7 @@ fn tables(files: &[ScoredFile], integrators: &[Integrator]) -> String {
         files.iter().map(details),
     );
     let mut orders = String::new();
-    for Integrator { method, order, .. } in integrators {
+    for MethodSummary { method, order, .. } in methods {
         let of_method = if method.is_empty() { String::new() } else { format!(" of {method}") };
         orders.extend(order.map(|order| format!("Order of convergence{of_method}: {order:.2}\n")));
     }

@@ -3,8 +3,8 @@
 //! Both contain the numbers of a [`Baked`](toytop::Baked) of any size, with format version and checksum. A Rust module in which a
 //! number was changed does not compile; the C header has a function that checks the numbers. Both give the bits of the crate.
 //!
-//! In C, fixed point uses integers only, and `f32` adds integers only, so that these bits do not depend on the compiler. `f64` uses a barrier
-//! after each product, so that no compiler fuses it with a sum.
+//! C code for fixed point and `f32` works in integers, so that the compiler cannot change its bits. Code for `f64` has a barrier after each
+//! product, so that no compiler fuses it with a sum.
 
 mod c;
 mod rust;

@@ -108,7 +108,7 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
         _ => table_of(&rows, scenario.units),
     };
     let text = match (arguments.format, &rows[..]) {
-        (Format::Csv, []) => output::csv_line(HEADER),
+        (Format::Csv, []) => output::csv_header(&EventRow::default()),
         (format, rows) => output::render(format, &json!({ "events": rows }), rows, table),
     };
     // no warning that the top leaves the plane if the command asks for these times
@@ -117,11 +117,8 @@ pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     Ok(Report::from(text).with_notes(notes))
 }
 
-/// Names of the columns of CSV, where there is no event.
-const HEADER: [&str; 9] = ["t", "kind", "sense", "u", "tilt_deg", "tip_x", "tip_y", "phi_deg", "time_error"];
-
 /// Event. The names are the keys of JSON.
-#[derive(Serialize)]
+#[derive(Default, Serialize)]
 struct EventRow<'a> {
     /// Time, s.
     t: f64,

@@ -8,7 +8,7 @@ use crate::commands::warnings::warnings;
 use crate::files::{file_or_stdout, whole_file};
 use crate::terminal::parallel::{Progress, write_rows};
 use crate::terminal::report::Report;
-use clap::{ArgGroup, Args};
+use clap::Args;
 use row_format::RowFormat;
 use std::path::PathBuf;
 use toytop::{Regime, TableSettings, Tick};
@@ -19,13 +19,13 @@ use toytop_host::motion::Scalar;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::motion::full_solver;
-use toytop_host::motion::sample::{MotionSample, body_rates};
+use toytop_host::motion::sample::MotionSample;
 use toytop_host::motion::stepper::{self, steps_needed};
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::output::Format;
 use toytop_model::equations::{FullState, Rates};
 
-/// Function from the index of a requested time to the sample there.
+/// Returns the sample at the i-th requested time.
 type Sampler = dyn Fn(u64) -> MotionSample + Sync;
 
 /// Orientation, rates and tip at given times
@@ -40,7 +40,6 @@ type Sampler = dyn Fn(u64) -> MotionSample + Sync;
         toytop state host/scenarios/toy_top.toml --from 0 --to 10 --count 1000001 --columns t,quaternion,omega_body --format csv -o top.csv\n         \
         toytop state host/scenarios/toy_top.toml --ticks 0..999 --hertz 8000 --scalar q15 --format csv"
 )]
-#[command(group = ArgGroup::new("instants").required(true).args(["times", "times_file", "ticks", "from"]))]
 pub struct StateArgs {
     /// Scenario file
     scenario: PathBuf,
@@ -192,6 +191,6 @@ fn closed_form_sampler(scenario: &Scenario, times: Times) -> Result<Box<Sampler>
     Ok(Box::new(move |index| {
         let t = times.seconds[index as usize];
         let state = form.at(t);
-        angle.sample(t, state.orientation, body_rates(&state))
+        angle.sample(t, state.orientation, Rates::from_attitude(&state))
     }))
 }

@@ -43,7 +43,7 @@ pub struct SweepArgs {
     #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
     nutation: Option<Values>,
     /// Any number of the scenario, in the unit of its key: --vary com_height=0.02..0.04/21
-    #[arg(long, alias = "axis", value_name = "KEY=VALUES", value_parser = key_and_values)]
+    #[arg(long, value_name = "KEY=VALUES", value_parser = key_and_values)]
     vary: Vec<(String, Values)>,
     /// Number of random motions; without it, all combinations of the grid
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MAX_MOTIONS))]
@@ -55,9 +55,9 @@ pub struct SweepArgs {
     #[arg(long, value_name = "LIST", value_delimiter = ',', default_value = DEFAULT_COLUMNS, value_parser = SweepColumn::from_str)]
     columns: Vec<SweepColumn>,
     /// Number of times at which each motion is evaluated
-    #[arg(long, alias = "samples", value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    #[arg(long, value_name = "N", default_value_t = 16, value_parser = clap::value_parser!(u32).range(1..=4096))]
     instants: u32,
-    /// Nutation periods over which these times are spread. Without a period, 2 pi sqrt((A/p + s)/g) takes its place
+    /// Nutation periods over which these times are spread; a motion without one has the time 2 pi sqrt((A/p + s)/g)
     #[arg(long, value_name = "X", default_value_t = 1.0, value_parser = number(LEAST_POSITIVE..=1e9), allow_hyphen_values = true)]
     periods: f64,
     /// Part I of N: motions I, I+N, I+2N, ... Only part 1 has a header, so that cat joins the parts
@@ -97,7 +97,8 @@ pub fn run(arguments: &SweepArgs) -> Result<Report, Failure> {
         arguments.varied(),
         arguments.motions.map(|motions| (motions, arguments.seed)),
         arguments.columns.clone(),
-        (arguments.instants, arguments.periods),
+        arguments.instants,
+        arguments.periods,
     )?;
     let [part, parts] = arguments.part;
     let count = (sweep.count + parts - part) / parts;

@@ -27,7 +27,7 @@ pub struct AnimateArgs {
     /// Scenario file
     scenario: PathBuf,
     /// First and last time to show, s; by default about one turn of the tip around the centre
-    #[arg(long, alias = "times", value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
     span: Option<[f64; 2]>,
     /// Length of the film, s
     #[arg(long, value_name = "S", default_value_t = 6.0, value_parser = number(0.1..=600.0))]

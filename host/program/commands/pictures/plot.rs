@@ -41,7 +41,7 @@ pub struct PlotArgs {
     #[arg(long, default_value = "tip")]
     kind: PlotKind,
     /// First and last time to draw, s, at most 1000 nutation periods; by default about one turn of the tip around the centre
-    #[arg(long, alias = "times", value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LOW..HIGH", value_parser = time_range, allow_hyphen_values = true)]
     span: Option<[f64; 2]>,
     /// Width of the picture, pixels
     #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(100..=10_000))]

@@ -23,7 +23,7 @@ pub struct SimulateArgs {
     #[arg(long, value_name = "SENSORS.toml")]
     sensors: Option<PathBuf>,
     /// Samples per second
-    #[arg(long, alias = "hertz", value_name = "HZ", default_value_t = 1000.0, value_parser = number(POSITIVE))]
+    #[arg(long, value_name = "HZ", default_value_t = 1000.0, value_parser = number(POSITIVE))]
     sample_rate: f64,
     /// Length of the recording, s
     #[arg(long, value_name = "S", default_value_t = 1.0, value_parser = number(POSITIVE))]

@@ -8,9 +8,9 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop_closed_forms::ClosedForm;
 use toytop_host::input::scenario::MotionInput;
-use toytop_host::motion::sample::body_rates;
 use toytop_host::reference::float640::{decimal, from_f64};
 use toytop_host::reference::quadrature::Quadrature;
+use toytop_model::equations::Rates;
 use toytop_model::timed_motion::TimedMotion;
 
 /// Rust side of `toytop.ClosedForm`.
@@ -45,7 +45,7 @@ impl ClosedFormCore {
         require_within(self.motion.furthest_time_of_closed_form(), &t.numbers)?;
         Sampler::by_method(py, t, &self.motion, None, |t| {
             let state = self.form.at(t);
-            (state.orientation, body_rates(&state))
+            (state.orientation, Rates::from_attitude(&state))
         })
     }
 }

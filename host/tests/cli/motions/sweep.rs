@@ -139,7 +139,7 @@ fn wrong_arguments_are_refused() {
             ("--motions 3 --part 0/4", "I/N with I from 1 to N"),
             ("--motions 3 --part 5/4", "I/N with I from 1 to N"),
             ("--motions 3 --columns colour", "tip_class"),
-            ("--motions 3 --samples 0", "--instants"),
+            ("--motions 3 --instants 0", "--instants"),
             ("--motions 3 --periods -1", "--periods"),
         ],
     );

@@ -88,7 +88,7 @@ fn every_command_reads_units() {
     let [plain, decimal] =
         [("units_a", PLAIN), ("units_b", DECIMAL)].map(|(name, text)| scenario(name, text));
     for line in [
-        "sweep --axis tilt_deg=10,30 --axis mass=0.04..0.06/3 -o -",
+        "sweep --vary tilt_deg=10,30 --vary mass=0.04..0.06/3 -o -",
         "bake --name top",
         "events --kind turning",
     ] {

@@ -33,7 +33,7 @@ fn wrong_arguments_are_refused() {
         ("top.avi", "must end in .gif"),
         ("top.gif --duration 0", "must be a number from 0.1 to 600"),
         ("top.gif --span 1..1", "must be LOW..HIGH"),
-        ("top.gif --times 0..1e6", "--span: 0..1e6: must span at most 5.697 (75 nutation periods or turns)"),
+        ("top.gif --span 0..1e6", "--span: 0..1e6: must span at most 5.697 (75 nutation periods or turns)"),
         ("no/folder/top.gif --duration 0.1", "no/folder/top.gif"),
     ] {
         toytop(format!("animate @toy_top -o animate_refused/{name}")).refused(2, part);

@@ -87,7 +87,7 @@ fn every_kind_says_what_it_shows() {
     for (line, parts) in [
         ("@toy_top", "x, mm ... y, mm ... t = 0 to 1.215 s"),
         ("@figure_3_loops", "x in units of s ... >lowest: tilt 45.57°< ... >highest: tilt 25.84°<"),
-        ("@toy_top --times 1e6..1000000.2", "t = 1e6 to 1.0000002e6 s"),
+        ("@toy_top --span 1e6..1000000.2", "t = 1e6 to 1.0000002e6 s"),
         ("@lagrange", ">axis< ... tip held ... not >tip<"),
         ("@lagrange --kind axis", "the axis on the unit sphere ... lowest: tilt 27.55°"),
         (
@@ -117,7 +117,7 @@ fn every_kind_says_what_it_shows() {
         "plot @sleeping -o a.svg",
         &[
             ("--span 2..1", "must be LOW..HIGH"),
-            ("--kind tilt --times 0..1e300", "--span: 1e300 must be within"),
+            ("--kind tilt --span 0..1e300", "--span: 1e300 must be within"),
             ("--size 5", "--size"),
             ("--kind top", "tip, axis, tilt, precession, potential"),
         ],
@@ -144,7 +144,7 @@ fn more_periods_than_a_picture_can_show_are_refused() {
         .refused(2, "error: --span: not for --kind potential\n");
     assert_eq!(count("plot_periods"), 0);
     // a curve with fewer than 32 points in a nutation period (75.96 ms) would show an alias of the motion
-    let longest = svg("@toy_top --times=0..75.95", "plot_periods/a.svg");
+    let longest = svg("@toy_top --span=0..75.95", "plot_periods/a.svg");
     assert!(lines(&longest, "#1f4e8c").iter().map(Vec::len).max() >= Some(63_000));
 }
 

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 /// Samples of the toy top in a file of this name, 0.3 s at 1 kHz.
 fn simulated(to: &str, sensors: &str) {
-    toytop(format!("simulate @toy_top --hertz 1000 --duration 0.3 --seed 7 -o {to} {sensors}")).ok();
+    toytop(format!("simulate @toy_top --sample-rate 1000 --duration 0.3 --seed 7 -o {to} {sensors}")).ok();
 }
 
 #[test]

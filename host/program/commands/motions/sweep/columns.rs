@@ -69,12 +69,14 @@ impl SweepColumn {
         }
     }
 
-    /// Values of a motion.
-    pub fn values(self, motion: &RowMotion) -> Vec<Value> {
-        match self {
-            Self::Constant(constant) => vec![constant_as_json(constant, &motion.motion)],
-            Self::Table((_, value)) => vec![value(motion).into()],
-            Self::Sample(column) => {
+    /// Values of a motion; without one, of numbers that the scenario refuses.
+    pub fn values(self, motion: Option<&RowMotion>, times: u32) -> Vec<Value> {
+        match (self, motion) {
+            (Self::Constant(Constant { name: "regime", .. }), None) => vec!["refused".into()],
+            (_, None) => vec![Value::Null; self.names(times).len()],
+            (Self::Constant(constant), Some(motion)) => vec![constant_as_json(constant, &motion.motion)],
+            (Self::Table((_, value)), Some(motion)) => vec![value(motion).into()],
+            (Self::Sample(column), Some(motion)) => {
                 // a number that is not finite is an absent value
                 let mut numbers = vec![f64::NAN; column.names().len() * motion.times.len()];
                 if let Some(evaluator) = motion.f64_evaluator() {
@@ -82,14 +84,6 @@ impl SweepColumn {
                 }
                 numbers.into_iter().map(Value::from).collect()
             }
-        }
-    }
-
-    /// Values of numbers that the scenario refuses.
-    pub fn values_of_refusal(self, times: u32) -> Vec<Value> {
-        match self {
-            Self::Constant(Constant { name: "regime", .. }) => vec!["refused".into()],
-            _ => vec![Value::Null; self.names(times).len()],
         }
     }
 }

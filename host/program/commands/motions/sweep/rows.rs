@@ -42,7 +42,8 @@ impl Sweep {
         varied: Vec<(String, Values)>,
         sample: Option<(u64, u64)>,
         columns: Vec<SweepColumn>,
-        (times, periods): (u32, f64),
+        times: u32,
+        periods: f64,
     ) -> Result<Self, Failure> {
         let refuse = |reason: String| Err(Failure::Input(reason));
         if varied.is_empty() {
@@ -110,10 +111,7 @@ impl Sweep {
         let motion = motion.map(|motion| RowMotion::new(motion, self.times, self.periods));
         let mut values = vec![Value::from(index)];
         values.extend(numbers.iter().map(|(_, number)| Value::from(*number)));
-        values.extend(self.columns.iter().flat_map(|column| match &motion {
-            Some(motion) => column.values(motion),
-            None => column.values_of_refusal(self.times),
-        }));
+        values.extend(self.columns.iter().flat_map(|column| column.values(motion.as_ref(), self.times)));
         text.extend_from_slice(csv_line(values).as_bytes());
         motion.is_some()
     }

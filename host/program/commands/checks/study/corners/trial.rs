@@ -73,7 +73,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
     });
     if with_truth {
         let truth = Quadrature::new(&input);
-        let ticks = ticks(&truth, (rate, period), &mut random);
+        let ticks = ticks(&truth, rate, period, &mut random);
         for tick in ticks.into_iter().chain(most_different_rates(&tables, &motion, period * rate)) {
             let t = from_i64(tick) / from_f64(rate);
             let (orientation, rates) = (truth.at(&t), truth.rates(&t, period));
@@ -117,7 +117,7 @@ fn norm_over_bound(table: &MotionEvaluator, times: &[f64]) -> f64 {
 
 /// Ticks in the first period and up to ±2^62. The number of ticks in a unit of time is a power of two, so that the time of a tick is
 /// exact; a motion without a period is given its natural time.
-fn ticks(truth: &Quadrature, (rate, period): (f64, f64), random: &mut Random) -> Vec<i64> {
+fn ticks(truth: &Quadrature, rate: f64, period: f64, random: &mut Random) -> Vec<i64> {
     let time_of = |tangent: f64| truth.time_of(tangent) * from_f64(rate);
     let mut ticks = Vec::new();
     for _ in 0..RANDOM_TICKS {
