@@ -139,17 +139,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn spread_evenly_with_both_ends() {
+    fn far_times_and_open_ranges_are_refused() {
         let times = |text: &str| {
             let values = counted_values(text).map_err(|reason| Failure::Input(reason.to_owned()))?;
             Times::new("--times".to_owned(), &values)
         };
-        let all = |text: &str| times(text).unwrap().seconds;
-        assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
-        let third = all("0..0.3/4");
-        assert_eq!((third.len(), third[0], third[3]), (4, 0.0, 0.3));
-        let log = all("log:0.01..100/3");
-        assert!(log[0] == 0.01 && (log[1] - 1.0).abs() < 1e-14 && log[2] == 100.0, "{log:?}");
         let far = times("-3..1/5").unwrap();
         assert!(far.require_within(3.0, "").is_ok());
         assert_eq!(

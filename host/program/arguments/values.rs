@@ -191,6 +191,8 @@ mod tests {
         assert_eq!(all("0.7"), [0.7]);
         assert_eq!(all("0.7,-1, 1e3"), [0.7, -1.0, 1e3]);
         assert_eq!(all("-1..1/5"), [-1.0, -0.5, 0.0, 0.5, 1.0]);
+        let third = all("0..0.3/4");
+        assert_eq!((third.len(), third[0], third[3]), (4, 0.0, 0.3));
         let log = all("log:1e-3..1e3/3");
         assert!(log[0] == 1e-3 && log[2] == 1e3 && (log[1] - 1.0).abs() < 1e-15, "{log:?}");
     }
