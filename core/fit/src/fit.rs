@@ -18,9 +18,10 @@ mod search;
 mod fitted;
 
 use crate::estimate::{Estimate, FreeRatio};
-use crate::model::{Model, Prior};
-use crate::sensitivity::LAUNCH_COLUMNS;
+use crate::model::{Model, Prior, carried};
+use crate::sensitivity::{LAUNCH_COLUMNS, Tangent};
 use crate::sensors::{Measurement, Sensor};
+use crate::squares::Squares;
 use crate::vector::{Vector, norm, rotation_vector};
 use block::Block;
 pub use error::{FitError, FitWarning};
@@ -149,20 +150,26 @@ impl<'a, F: Real> Fit<'a, F> {
             return Err(FitError::OutOfOrder { index: 0 });
         }
         let (predicted, at) = self.model.predicted(&last.launch, span).ok_or(FitError::LastFit)?;
-        let mut covariance = last.covariance;
-        covariance.propagate(&at.tangents);
+        let to_body_axes = Tangent::along_body_axes(&predicted.orientation.inverse());
+        let rows = last.covariance.rows().map(|row| {
+            let mut row = carried(&at.tangents, &row);
+            // the losses may be others now
+            self.model
+                .losses()
+                .for_each(|(index, _)| row.iter_mut().skip(index).take(1).for_each(|x| *x = 0.0));
+            carried(&to_body_axes, &row)
+        });
+        let mut covariance: Squares<f64> = rows.collect();
         let noise = drift_deviation * norm(predicted.omega) * span;
         for index in 0..LAUNCH_COLUMNS {
             let noise = if index < 3 { 0.5 * span * noise } else { noise };
-            covariance.add_variance(index, noise * noise);
+            covariance.add_unknown(index, noise);
         }
-        // the losses may be others now
         for (index, deviation) in self.model.losses() {
-            covariance.replace_unknown(index, deviation * deviation);
+            covariance.add_unknown(index, deviation);
         }
-        // to changes along the body axes
-        covariance.turn(&predicted.orientation.inverse());
-        self.prior = Prior { estimate: predicted, information: covariance.information(last.unknown_count) };
+        let information = covariance.inverse_rows().map(|row| row.map(F::from_f64)).collect();
+        self.prior = Prior { estimate: predicted, information };
         self.start_from(&predicted);
         let settled = self.settle(&block, usize::MAX, CONVERGED_SIGMA);
         let warning = self.warning(settled);

@@ -11,11 +11,7 @@ mod sensitivity;
 
 mod sensors;
 
-mod triangle;
-
-mod information;
-
-mod covariance;
+mod squares;
 
 mod estimate;
 
@@ -27,7 +23,6 @@ mod fit;
 #[doc = include_str!("../docs/partials.md")]
 pub mod partials {}
 
-pub use covariance::Covariance;
 pub use estimate::{Estimate, FreeRatio};
 pub use fit::{Drift, Fit, FitError, FitWarning, Fitted, Statistics, Tracked, Unobservable};
 pub use model::{MAX_RATIOS, MAX_SENSORS};
@@ -36,4 +31,4 @@ pub use sensors::{
     Accelerometer, AxisCamera, Gyroscope, Hint, Magnetometer, Mark, Measurement, Mounting, Noise,
     OrientationCamera, Residual, Sensor, TipCamera, Values,
 };
-pub use triangle::MAX_UNKNOWNS;
+pub use squares::MAX_UNKNOWNS;

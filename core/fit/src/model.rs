@@ -1,13 +1,12 @@
 //! Order, units and prior information of the unknowns of a fit, and the motion that they determine.
 
 use crate::estimate::{Estimate, FreeRatio};
-use crate::information::Information;
 use crate::sensitivity::{
     COARSE_STEP, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, PASS_STEP, Partials, RATIOS,
     Sensitivity, Tangent, Trajectory, log_derivatives,
 };
 use crate::sensors::Sensor;
-use crate::triangle::{MAX_UNKNOWNS, Unknowns};
+use crate::squares::{MAX_UNKNOWNS, Squares, Unknowns};
 use crate::vector::{UNITS, Vector, add_scaled, norm, scaled};
 use toytop::scalar::Real;
 use toytop::{FirstIntegrals, Motion, Orientation, ParameterError, Top};
@@ -21,7 +20,18 @@ pub const MAX_RATIOS: usize = RATIOS;
 #[derive(Clone)]
 pub(crate) struct Prior<F> {
     pub(crate) estimate: Estimate,
-    pub(crate) information: Information<F>,
+    pub(crate) information: Squares<F>,
+}
+
+/// Changes of the unknowns at a later time, from those at the launch.
+///
+/// * `columns`: derivatives of the motion with respect to the unknowns; those that are left out are 0
+pub(crate) fn carried(columns: &[Tangent<f64>], change: &Unknowns) -> Unknowns {
+    let add = |sum: Tangent<f64>, (column, by): (&Tangent<f64>, &f64)| sum.plus(column, *by);
+    let launch = columns.iter().zip(change).fold(Tangent::ZERO, add);
+    let mut carried = *change;
+    carried.iter_mut().zip(launch.components()).for_each(|(slot, x)| *slot = x);
+    carried
 }
 
 /// Unknowns of a fit: the launch, the free ratios, the losses of rotation, and the biases.
@@ -186,9 +196,9 @@ impl Model {
 
     /// Information before the first measurement: losses, biases and changes of the ratios are near 0.
     pub(crate) fn prior<F: Real>(&self) -> Prior<F> {
-        let mut information = Information::new(self.count);
+        let mut information = Squares::ZERO;
         for (index, deviation) in self.deviations.iter().enumerate() {
-            information.add_prior(index, F::from_f64(*deviation));
+            information.add_unknown(index, F::from_f64(1.0 / *deviation));
         }
         Prior { estimate: Estimate::new(Orientation::IDENTITY, [0.0; 3]), information }
     }

@@ -1,15 +1,14 @@
 //! Result of a fit: the launch, its covariance, and how far both can be trusted.
 
-use crate::covariance::Covariance;
 use crate::estimate::Estimate;
 use crate::fit::error::FitWarning;
 use crate::fit::solver::Fit;
 use crate::fit::statistics::Statistics;
-use crate::model::Model;
+use crate::model::{Model, carried};
 use crate::sensitivity::{
-    COARSE_STEP, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity,
+    COARSE_STEP, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity, Tangent,
 };
-use crate::triangle::MAX_UNKNOWNS;
+use crate::squares::{MAX_UNKNOWNS, Squares, inner};
 use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, ParameterError, State, Top};
@@ -57,11 +56,6 @@ pub struct Fitted {
     pub launch_time: f64,
     /// Launch, biases and ratios.
     pub launch: Estimate,
-    /// Covariance of the unknowns: rotation vector δ of Φ in the fixed frame, change η of ω in the frame that δ turns, logarithms of the
-    /// free ratios, losses of rotation if they are unknowns, biases. The true launch is exp(δ) Φ and exp(δ) (ω + η).
-    ///
-    /// Errors are normally distributed in δ and η. In ω they are not, if the rotation about the vertical is poorly known.
-    pub covariance: Covariance,
     /// Residuals of the last pass, before the last correction of the launch. `chi_squared` is the value expected after that correction.
     pub statistics: Statistics,
     /// Directions that the measurements do not determine. Their standard deviations are 10 rad, or ten times ω.
@@ -76,6 +70,8 @@ pub struct Fitted {
     pub drift: Option<Drift>,
     /// Model of the unknowns.
     pub(super) model: Model,
+    /// Covariance of the unknowns.
+    pub(super) covariance: Squares<f64>,
 }
 
 impl Fitted {
@@ -89,7 +85,6 @@ impl Fitted {
         let mut fitted = Self {
             launch_time: first,
             launch: fit.best.estimate,
-            covariance: Covariance::ZERO,
             statistics: fit.best.statistics,
             unobservable: Unobservable::default(),
             warning,
@@ -97,10 +92,12 @@ impl Fitted {
             unknown_count: fit.model.count,
             model: fit.model,
             drift: None,
+            covariance: Squares::ZERO,
         };
         // with a larger limit, the covariance would lose digits of what is determined
-        fitted.covariance.add_inverse(fit.damped(0.0, 10.0));
-        fitted.covariance.turn(&fit.best.estimate.orientation);
+        let turns = Tangent::along_body_axes(&fitted.launch.orientation);
+        let rows = fit.damped(0.0, 10.0).inverse_rows();
+        fitted.covariance = rows.map(|row| carried(&turns, &row.map(F::to_f64))).collect();
         fitted.unobservable = unobservable(&fitted);
         if fitted.model.has_losses() && fitted.carry_to(last).is_none() {
             fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
@@ -152,17 +149,37 @@ impl Fitted {
         Ok(Sensitivity::without_period(&equations, &self.launch.body_state(), COARSE_STEP))
     }
 
+    /// Covariance of two unknowns, counted from 0; 0 where there is no such unknown. The unknowns are: rotation vector δ of Φ in the fixed
+    /// frame, change η of ω in the frame that δ turns, logarithms of the free ratios, losses of rotation if they are unknowns, biases. The
+    /// true launch is exp(δ) Φ and exp(δ) (ω + η).
+    ///
+    /// Errors are normally distributed in δ and η. In ω they are not, if the rotation about the vertical is poorly known.
+    #[must_use]
+    pub fn covariance(&self, i: usize, j: usize) -> f64 {
+        self.covariance.entry(i, j)
+    }
+
     /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`]. Those after the first
     /// [`Fitted::unknown_count`] are 0, and belong to no unknown.
     #[must_use]
     pub fn deviations(&self) -> [f64; MAX_UNKNOWNS] {
-        core::array::from_fn(|index| libm::sqrt(self.covariance.get(index, index)))
+        core::array::from_fn(|index| libm::sqrt(self.covariance(index, index)))
     }
 
     /// Covariance of the rotation vector of a predicted orientation.
     #[must_use]
     pub fn orientation_covariance(&self, at: &Partials) -> [Vector<f64>; 3] {
-        self.covariance.of_vector(&self.columns(&at.d_orientation()))
+        self.covariance_of(&self.columns(&at.d_orientation()))
+    }
+
+    /// Covariance of a vector with these derivatives with respect to the unknowns.
+    fn covariance_of(&self, columns: &[Vector<f64>; MAX_UNKNOWNS]) -> [Vector<f64>; 3] {
+        let mut covariance = [[0.0; 3]; 3];
+        for row in self.covariance.rows() {
+            let error = add_all([0.0; 3], columns.iter().copied().zip(row));
+            covariance.iter_mut().zip(error).for_each(|(line, x)| *line = add_scaled(*line, error, x));
+        }
+        covariance
     }
 
     /// Derivatives with respect to the unknowns, from derivatives with respect to the launch and the ratios.
@@ -201,9 +218,9 @@ impl Fitted {
             let [l, spin, h] = gradients.map(|by| by.inner(tangent));
             *slot = scaled([l, c_over_a * spin, h], per_time);
         }
-        let covariance = self.covariance.of_vector(&rates_by);
+        let covariance = self.covariance_of(&rates_by);
         self.drift = Some(Drift { rates, covariance, losses: model.losses_of(&launch) });
-        self.covariance.propagate(&at.tangents);
+        self.covariance = self.covariance.rows().map(|row| carried(&at.tangents, &row)).collect();
         (self.launch_time, self.launch) = (end, launch);
         Some(())
     }
@@ -221,23 +238,27 @@ const ALIGNED_SINE: f64 = 0.1;
 fn unobservable(fitted: &Fitted) -> Unobservable {
     let Fitted { launch, unknown_count: count, model, .. } = fitted;
     let (units, count) = (&model.units(launch), *count);
-    let factor = |least: f64, count: usize| {
-        let mut sum = fitted.covariance.in_units(units);
-        (0..count).for_each(|index| sum.add_variance(index, least));
-        sum.factor(count)
+    let in_units = |mut row: [f64; MAX_UNKNOWNS], count: usize| {
+        row.iter_mut().zip(units).for_each(|(x, unit)| *x /= unit);
+        row.iter_mut().skip(count).for_each(|x| *x = 0.0);
+        row
     };
-    let squares = |numbers: &[f64]| numbers.iter().map(|x| x * x).sum::<f64>();
-    let sum = factor(1.0, count);
-    let determined: f64 = (0..count).map(|index| squares(&sum.inverse_column(index))).sum();
+    let with_noise = |deviation: f64, count: usize| {
+        let mut sum: Squares<f64> = fitted.covariance.rows().map(|row| in_units(row, count)).collect();
+        (0..count).for_each(|index| sum.add_unknown(index, deviation));
+        sum
+    };
+    let determined: f64 = with_noise(1.0, count).inverse_rows().flatten().map(|x| x * x).sum();
     let undetermined = libm::round((count as f64 - determined).max(0.0)) as usize;
-    let sum = factor(ALIGNED_SINE * ALIGNED_SINE, LAUNCH_COLUMNS);
+    let sum = with_noise(ALIGNED_SINE, LAUNCH_COLUMNS);
     let axis = launch.orientation.axis();
     let none = [0.0; 3];
     let [yaw, roll, spin] = [[UP, none], [axis, cross(launch.omega, axis)], [none, axis]].map(|direction| {
-        let mut along = [0.0; MAX_UNKNOWNS];
+        let mut along = [0.0; LAUNCH_COLUMNS];
         let components = direction.as_flattened().iter().zip(units);
         along.iter_mut().zip(components).for_each(|(slot, (x, unit))| *slot = x / unit);
-        squares(&sum.solved(along)) < squares(&along)
+        let information: f64 = sum.inverse_rows().map(|row| inner(&along, &row)).map(|x| x * x).sum();
+        information < inner(&along, &along)
     });
     Unobservable { yaw, roll, spin, count: undetermined }
 }

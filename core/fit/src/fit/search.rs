@@ -67,7 +67,7 @@ impl<F: Real> Fit<'_, F> {
             if cost < best.1 - EQUAL_COST {
                 others = 0;
             } else if cost < best.1 + EQUAL_COST
-                && information.square(&change).to_f64() > OTHER_LAUNCH_SIGMA * OTHER_LAUNCH_SIGMA
+                && information.at(&change).to_f64() > OTHER_LAUNCH_SIGMA * OTHER_LAUNCH_SIGMA
             {
                 others += 1;
             }

@@ -3,11 +3,10 @@
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
 use crate::fit::statistics::Statistics;
-use crate::information::Information;
 use crate::model::{MAX_SENSORS, Model, Prior};
 use crate::sensitivity::{LAUNCH_COLUMNS, Partials, Tangent, Trajectory};
 use crate::sensors::{Measurement, Measurements, Residual, Sensor};
-use crate::triangle::{MAX_UNKNOWNS, unit_row};
+use crate::squares::{MAX_UNKNOWNS, Squares, unit_row};
 use toytop::scalar::Real;
 
 /// Size of the last correction of a fit that has converged, in standard deviations. The next one would be about its square.
@@ -55,7 +54,7 @@ pub struct Fit<'a, F = f64> {
 pub(super) struct Pass<F> {
     pub(super) estimate: Estimate,
     /// Rows of the prior and of the measurements.
-    pub(super) information: Information<F>,
+    pub(super) information: Squares<F>,
     pub(super) statistics: Statistics,
 }
 
@@ -101,8 +100,7 @@ impl<'a, F: Real> Fit<'a, F> {
     pub(super) fn with_model(sensors: &'a [&'a dyn Sensor<F>], model: Model, huber: f64) -> Self {
         let prior = model.prior();
         let Prior { estimate, .. } = prior;
-        let information = Information::new(model.count);
-        let pass = Pass { estimate, information, statistics: Statistics::default() };
+        let pass = Pass { estimate, information: Squares::ZERO, statistics: Statistics::default() };
         Self {
             sensors,
             model,
@@ -127,7 +125,7 @@ impl<'a, F: Real> Fit<'a, F> {
     #[inline(never)] // stack
     pub(super) fn start_from(&mut self, estimate: &Estimate) {
         let Pass { information, statistics, .. } = &mut self.best;
-        *information = Information::new(information.count);
+        *information = Squares::ZERO;
         *statistics = Statistics::default();
         self.best.estimate = Estimate { orientation: estimate.orientation.normalised(), ..*estimate };
         self.damping = FIRST_DAMPING;
@@ -185,7 +183,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let change = prior.estimate.change_from(estimate).map(F::from_f64);
         information.set_solution(&change);
         self.trajectory = self.model.trajectory(estimate);
-        prior.information.square(&change).to_f64()
+        prior.information.at(&change).to_f64()
     }
 
     /// Corrects the estimate after a pass. `None` where there must be another pass; otherwise whether it settled.
@@ -215,7 +213,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let change = self.damped(self.damping, 1000.0).solution();
         let best = &mut self.best;
         let next = best.estimate.corrected(&change.map(F::to_f64));
-        let size = best.information.square(&change).sqrt().to_f64();
+        let size = best.information.at(&change).sqrt().to_f64();
         if !size.is_finite() {
             return Some(false);
         }
@@ -244,7 +242,7 @@ impl<'a, F: Real> Fit<'a, F> {
     /// Marquardt does, and a standard deviation of `limit` units. It overwrites the current pass's. Damping is along the fixed axes,
     /// because yaw may be unobservable.
     #[inline(never)] // stack
-    pub(super) fn damped(&mut self, damping: f64, limit: f64) -> &Information<F> {
+    pub(super) fn damped(&mut self, damping: f64, limit: f64) -> &Squares<F> {
         let Self { model, best: Pass { estimate, information, .. }, current, .. } = self;
         let damped = &mut current.information;
         damped.clone_from(information);
@@ -255,7 +253,7 @@ impl<'a, F: Real> Fit<'a, F> {
                 direction.iter_mut().zip(along.components()).for_each(|(slot, x)| *slot = x);
             }
             let least = F::from_f64(1.0 / (limit * unit));
-            let square = information.square(&direction) * F::from_f64(damping);
+            let square = information.at(&direction) * F::from_f64(damping);
             let weight = (square + least.squared()).sqrt();
             damped.add(direction.map(|x| weight * x), F::ZERO);
         }
@@ -268,8 +266,8 @@ impl<'a, F: Real> Fit<'a, F> {
         self.pass(block, usize::MAX);
         let Pass { estimate, information, .. } = &mut self.current;
         for index in 0..self.model.count {
-            let deviation = if index < self.model.motion_count { 1e-9 } else { 1e6 };
-            information.add_prior(index, F::from_f64(deviation));
+            let factor = if index < self.model.motion_count { 1e9 } else { 1e-6 };
+            information.add_unknown(index, F::from_f64(factor));
         }
         *estimate = estimate.corrected(&information.solution().map(F::to_f64));
         self.pass(block, usize::MAX);
