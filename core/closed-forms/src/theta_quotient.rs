@@ -9,8 +9,8 @@ use toytop::{BranchPoints, Phase, Signs};
 /// Cayley-Klein parameter in an elliptic case: k e^{lx} σ(x - a - h)/σ(x - c), where h and c are half periods. Each period multiplies it
 /// by a constant.
 ///
-/// It is stored as k̂ e^{λx} ϑ(x - a)/ϑ(x) with the theta functions that are 0 at h and at c. All constants of the sigma functions
-/// cancel: for l = ζ(a + h - c) + `rate_offset`, λ is `rate_offset` plus the logarithmic derivative at a of the theta function that is 0 at h + c.
+/// It is stored as k̂ e^{λx} ϑ(x - a)/ϑ(x) with the theta functions that are 0 at h and at c. The constants of the sigma functions
+/// cancel. If l = ζ(a + h - c) + `rate_offset`, then λ = `rate_offset` + ϑ'(a)/ϑ(a), where this ϑ is 0 at h + c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct ThetaQuotient {
     pub(crate) lattice: Lattice,
