@@ -12,7 +12,7 @@ mod equations;
 
 mod integrals;
 
-mod runge_kutta;
+mod sixth_order;
 
 mod partials;
 
@@ -29,7 +29,7 @@ use toytop::scalar::{Extended, Float};
 use toytop::{Motion, Orientation, Phase};
 pub(crate) use trajectory::Trajectory;
 
-/// Longest step, in rad of the highest frequency, for an error of about 1e-12.
+/// Longest step, in rad of the highest frequency.
 const FINE_STEP: f64 = 0.02;
 /// Longest step for a motion that was fitted, in the same unit. An error of 1e-9 has no effect there.
 pub(crate) const COARSE_STEP: f64 = 0.1;
@@ -44,7 +44,7 @@ pub(crate) const PASS_STEP: f64 = 0.4;
 /// * ω(0) in the fixed frame, rad per unit time;
 /// * A/C, A/(ps), s and g. For a fixed tip A/p takes the place of A/(ps), and the derivative with respect to s is 0.
 ///
-/// Relative to the largest derivative of the same column, the error is about 1e-12, also after 10⁶ periods.
+/// The error of a change of the motion is below 1e-10 of its size, also after 10⁶ periods.
 #[derive(Clone, Copy, Debug)]
 pub struct Sensitivity {
     start: Trajectory<f64>,

@@ -2,7 +2,7 @@
 
 use crate::sensitivity::coefficients::Coefficients;
 use crate::sensitivity::equations::{Acceleration, Equations, vertical_cross};
-use crate::sensitivity::runge_kutta::runge_kutta;
+use crate::sensitivity::sixth_order::sixth_order_step;
 use crate::sensitivity::state::{BodyState, COLUMNS, Tangent};
 use crate::vector::{Vector, about_third_axis, add_all, add_scaled, coordinates, cross, scaled};
 use toytop::scalar::{Float, Real};
@@ -33,7 +33,7 @@ impl<F: Float> Partials<F> {
     pub(crate) fn step(&mut self, step: F) {
         let Self { state, tangents, equations } = self;
         let mut moved = (*state, *tangents);
-        runge_kutta(
+        sixth_order_step(
             &mut moved,
             step,
             |(state, tangents), (rate, rates)| {

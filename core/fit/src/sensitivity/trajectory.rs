@@ -3,7 +3,7 @@
 use crate::sensitivity::coefficients::Coefficients;
 use crate::sensitivity::equations::{Acceleration, Equations};
 use crate::sensitivity::partials::Partials;
-use crate::sensitivity::runge_kutta::runge_kutta;
+use crate::sensitivity::sixth_order::sixth_order_step;
 use crate::sensitivity::state::{BodyState, COLUMNS, Tangent};
 use crate::vector::about_third_axis;
 use toytop::Phase;
@@ -110,7 +110,7 @@ impl<F: Real> Trajectory<F> {
         let set_rate = |state: &BodyState<f64>, rate: &mut BodyState<f64>| {
             *rate = Acceleration::new(&self.coefficients, state).rate;
         };
-        runge_kutta(&mut self.state, self.time - self.node, set_rate, BodyState::add);
+        sixth_order_step(&mut self.state, self.time - self.node, set_rate, BodyState::add);
         (self.tangents, self.node) = (self.now.tangents, self.time);
     }
 

@@ -1,4 +1,4 @@
-//! Integration by a Runge-Kutta method of order 6 with seven stages (Butcher).
+//! Step of Butcher's Runge-Kutta method of order 6, with seven stages.
 
 use toytop::scalar::Float;
 
@@ -17,7 +17,7 @@ const WEIGHTS: [&[f64]; 7] = [
 ///
 /// * `set_rate`: sets the rate of a state
 /// * `add`: adds a factor times a rate to a state
-pub(crate) fn runge_kutta<F: Float, S: Copy>(
+pub(crate) fn sixth_order_step<F: Float, S: Copy>(
     state: &mut S,
     step: F,
     set_rate: impl Fn(&S, &mut S),
