@@ -3,8 +3,6 @@
 //! A pass reads the measurements and stores none of them; then the launch is corrected, and the next pass begins: see [partials](crate::partials).
 
 // In the order of dependence.
-mod error;
-
 mod block;
 
 mod statistics;
@@ -17,6 +15,7 @@ mod search;
 
 mod fitted;
 
+use crate::error::{FitError, FitWarning, check};
 use crate::estimate::{Estimate, FreeRatio};
 use crate::model::{Model, Prior, carried};
 use crate::sensitivity::{LAUNCH_COLUMNS, Tangent};
@@ -24,7 +23,6 @@ use crate::sensors::{Measurement, Sensor};
 use crate::squares::Squares;
 use crate::vector::{Vector, norm, rotation_vector};
 use block::Block;
-pub use error::{FitError, FitWarning};
 pub use fitted::{Drift, Fitted, Unobservable};
 use solver::CONVERGED_SIGMA;
 pub use solver::Fit;
@@ -49,17 +47,9 @@ impl<'a, F: Real> Fit<'a, F> {
     /// * `ratios`: unknown ratios of the top, at most four
     ///
     /// # Errors
-    /// [`FitError::TooManyUnknowns`]: more than four sensors or ratios. [`FitError::SensorNoise`], [`FitError::FreeRatio`]: a number of a sensor or
-    /// of a ratio is out of range.
+    /// `sensors`, `ratios`: more than four, or a number of one of them is out of range.
     pub fn new(top: &Top, sensors: &'a [&'a dyn Sensor<F>], ratios: &[FreeRatio]) -> Result<Self, FitError> {
-        if let Some(sensor) = sensors.iter().position(|sensor| !sensor.noise().is_valid()) {
-            return Err(FitError::SensorNoise { sensor });
-        }
-        if let Some(ratio) = ratios.iter().position(|ratio| !ratio.is_valid()) {
-            return Err(FitError::FreeRatio { ratio });
-        }
-        let model = Model::new(top, sensors, ratios, None).ok_or(FitError::TooManyUnknowns)?;
-        Ok(Self::with_model(sensors, model, 3.0))
+        Ok(Self::with_model(sensors, Model::new(top, sensors, ratios, None)?, 3.0))
     }
 
     /// Sets the largest residual that counts quadratically, in standard deviations; larger ones count linearly (Huber). It is infinite for
@@ -77,20 +67,18 @@ impl<'a, F: Real> Fit<'a, F> {
     ///   may stop in a minute
     ///
     /// # Errors
-    /// [`FitError::TooManyUnknowns`]: more than one free ratio. [`FitError::Deviation`]: not a positive number.
+    /// `ratios`: more than one. `deviation`: not a positive number.
     pub fn with_losses(self, deviation: f64) -> Result<Self, FitError> {
-        if !(deviation.is_finite() && deviation > 0.0) {
-            return Err(FitError::Deviation { parameter: "deviation" });
-        }
+        check(deviation.is_finite() && deviation > 0.0, "deviation", None, "be finite and positive")?;
         let Self { sensors, model, huber, .. } = self;
-        let model = Model::new(&model.top, sensors, model.free(), Some(deviation));
-        Ok(Self::with_model(sensors, model.ok_or(FitError::TooManyUnknowns)?, huber))
+        let model = Model::new(&model.top, sensors, model.free(), Some(deviation))?;
+        Ok(Self::with_model(sensors, model, huber))
     }
 
     /// Launch from all measurements, without a first guess. The measurements are read several times.
     ///
     /// # Errors
-    /// [`FitError`]: no measurement, or one that is not finite, not in order, or of an unknown sensor.
+    /// `measurements`: none, or one that is not finite, not in order, or of an unknown sensor.
     pub fn run(
         &mut self,
         measurements: impl Iterator<Item = Measurement> + Clone,
@@ -128,28 +116,28 @@ impl<'a, F: Real> Fit<'a, F> {
     ///   a minute
     ///
     /// # Errors
-    /// The errors of [`Fit::run`]. [`FitError::OutOfOrder`]: the block is earlier than the last fit. [`FitError::LastFit`]: the motion of the last fit
-    /// cannot be followed to the block. [`FitError::OtherModel`]: the last fit had another top or other unknowns. [`FitError::Deviation`]: the deviation
-    /// is negative or not finite.
+    /// The errors of [`Fit::run`]. `measurements`: the first one is earlier than the last launch. `last`: it has another top or other unknowns, or its
+    /// motion cannot be followed to the first measurement. `drift_deviation`: negative or not finite.
     pub fn track(
         &mut self,
         last: &Fitted,
         drift_deviation: f64,
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Tracked, FitError> {
-        if !(drift_deviation.is_finite() && drift_deviation >= 0.0) {
-            return Err(FitError::Deviation { parameter: "drift_deviation" });
-        }
-        if !self.model.has_unknowns_of(&last.model) {
-            return Err(FitError::OtherModel);
-        }
+        let is_valid = drift_deviation.is_finite() && drift_deviation >= 0.0;
+        check(is_valid, "drift_deviation", None, "be finite and not negative")?;
+        let is_same = self.model.has_unknowns_of(&last.model);
+        check(is_same, "last", None, "have the same top and the same unknowns")?;
         let block = Block::new(self.sensors, measurements)?;
         let [first, _] = block.times;
         let span = first - last.launch_time;
-        if span < 0.0 {
-            return Err(FitError::OutOfOrder { index: 0 });
-        }
-        let (predicted, at) = self.model.predicted(&last.launch, span).ok_or(FitError::LastFit)?;
+        check(span >= 0.0, "measurements", Some(0), "not be earlier than the last launch")?;
+        let refused = FitError {
+            parameter: "last",
+            index: None,
+            must: "be a motion that reaches the first measurement",
+        };
+        let (predicted, at) = self.model.predicted(&last.launch, span).ok_or(refused)?;
         let to_body_axes = Tangent::along_body_axes(&predicted.orientation.inverse());
         let rows = last.covariance.rows().map(|row| {
             let mut row = carried(&at.tangents, &row);

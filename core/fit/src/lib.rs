@@ -7,6 +7,8 @@
 
 mod vector;
 
+mod error;
+
 mod sensitivity;
 
 mod sensors;
@@ -23,8 +25,9 @@ mod fit;
 #[doc = include_str!("../docs/partials.md")]
 pub mod partials {}
 
+pub use error::{FitError, FitWarning};
 pub use estimate::{Estimate, FreeRatio};
-pub use fit::{Drift, Fit, FitError, FitWarning, Fitted, Statistics, Tracked, Unobservable};
+pub use fit::{Drift, Fit, Fitted, Statistics, Tracked, Unobservable};
 pub use model::{MAX_RATIOS, MAX_SENSORS};
 pub use sensitivity::{Partials, Sensitivity};
 pub use sensors::{

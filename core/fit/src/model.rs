@@ -1,5 +1,6 @@
 //! Order, units and prior information of the unknowns of a fit, and the motion that they determine.
 
+use crate::error::{FitError, check};
 use crate::estimate::{Estimate, FreeRatio};
 use crate::sensitivity::{
     COARSE_STEP, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, PASS_STEP, Partials, RATIOS,
@@ -50,17 +51,24 @@ pub(crate) struct Model {
 }
 
 impl Model {
-    /// Model of these unknowns, with the prior deviation of the losses if they are unknowns. `None` where there are too many.
+    /// Model of these unknowns, with the prior deviation of the losses if they are unknowns.
     pub(crate) fn new<F>(
         top: &Top,
         sensors: &[&dyn Sensor<F>],
         ratios: &[FreeRatio],
         loss_deviation: Option<f64>,
-    ) -> Option<Self> {
+    ) -> Result<Self, FitError> {
         let losses = loss_deviation.into_iter().flat_map(|deviation| [deviation; LOSS_COUNT]);
         let motion_count = LAUNCH_COLUMNS + ratios.len() + losses.clone().count();
-        if sensors.len() > MAX_SENSORS || motion_count > COLUMNS {
-            return None;
+        check(sensors.len() <= MAX_SENSORS, "sensors", None, "be at most four")?;
+        check(motion_count <= COLUMNS, "ratios", None, "be at most four, or one with losses")?;
+        for (index, sensor) in sensors.iter().enumerate() {
+            let must = "have positive noise, and a bias that is not negative";
+            check(sensor.noise().is_valid(), "sensors", Some(index), must)?;
+        }
+        for (index, ratio) in ratios.iter().enumerate() {
+            let must = "have a finite direction other than 0, and a positive deviation";
+            check(ratio.is_valid(), "ratios", Some(index), must)?;
         }
         let mut model = Self {
             top: *top,
@@ -83,7 +91,7 @@ impl Model {
                 model.count += 3;
             }
         }
-        Some(model)
+        Ok(model)
     }
 
     /// Free ratios.

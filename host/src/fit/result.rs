@@ -79,11 +79,9 @@ pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitRe
     if input.huber.is_nan() || input.huber < 1.0 {
         return Err(Refusal::new("huber", "must be a number from 1, or inf"));
     }
-    let refuse = |error: FitError| match error {
-        FitError::Deviation { .. } => Refusal::new("drift", "must be a positive number"),
-        FitError::TooManyUnknowns if input.drift.is_some() => {
-            Refusal::new("free", "must be at most one name with a drift")
-        }
+    let refuse = |error: FitError| match error.parameter {
+        "deviation" => Refusal::new("drift", "must be a positive number"),
+        "ratios" if input.drift.is_some() => Refusal::new("free", "must be at most one name with a drift"),
         _ => Refusal::new("samples", error.to_string()),
     };
     let listed = input.sensors.as_sensors();

@@ -1,7 +1,8 @@
 //! Fits at their limits: readings beyond a range, a top without a moment of inertia, and measurements that are refused.
 
 use super::sensors::{
-    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, release, simulated,
+    ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, refusal, release,
+    simulated,
 };
 use toytop::{Motion, Orientation, State, Top, TopParameters};
 use toytop_fit::{
@@ -73,16 +74,17 @@ fn bad_measurements_are_refused_or_not_believed() {
     let run = |measurements: &[Measurement]| {
         Fit::new(&top, &SENSORS, &[]).unwrap().run(measurements.iter().copied())
     };
-    assert_eq!(run(&[]).err(), Some(FitError::NoMeasurements));
+    assert_eq!(refusal(run(&[])), "measurements: must not be empty");
     let changed = |change: fn(&mut Vec<Measurement>)| {
         let mut measurements = good.clone();
         change(&mut measurements);
         run(&measurements)
     };
-    assert_eq!(changed(|all| all[5].values[1] = f64::NAN).err(), Some(FitError::NotFinite { index: 5 }));
-    assert_eq!(changed(|all| all[6].time = f64::INFINITY).err(), Some(FitError::NotFinite { index: 6 }));
-    assert_eq!(changed(|all| all[8].time = 0.0).err(), Some(FitError::OutOfOrder { index: 8 }));
-    assert_eq!(changed(|all| all[9].sensor = 3).err(), Some(FitError::UnknownSensor { index: 9 }));
+    let refused = |change, expected: &str| assert_eq!(refusal(changed(change)), expected);
+    refused(|all| all[5].values[1] = f64::NAN, "measurements 5: must be finite");
+    refused(|all| all[6].time = f64::INFINITY, "measurements 6: must be finite");
+    refused(|all| all[8].time = 0.0, "measurements 8: must not be earlier than the one before");
+    refused(|all| all[9].sensor = 3, "measurements 9: must be of a sensor in the list");
     // the readings of one instant do not determine the rate about the axis
     let reason = |found: Result<Fitted, FitError>| found.unwrap().warning;
     assert!(reason(changed(|all| all.truncate(1))).is_some());
@@ -114,8 +116,8 @@ fn a_sensor_without_positive_noise_is_refused() {
     for (deviation, bias_deviation) in refused {
         let gyroscope = Gyroscope { noise: Noise { deviation, bias_deviation }, ..GYROSCOPE };
         let sensors: [&dyn Sensor; 2] = [&ACCELEROMETER, &gyroscope];
-        let refused = Fit::new(&toy(), &sensors, &[]).err();
-        assert_eq!(refused, Some(FitError::SensorNoise { sensor: 1 }));
+        let refused = refusal(Fit::new(&toy(), &sensors, &[]));
+        assert_eq!(refused, "sensors 1: must have positive noise, and a bias that is not negative");
     }
 }
 
@@ -125,7 +127,8 @@ fn a_ratio_without_a_direction_or_with_a_wrong_deviation_is_refused() {
     let deviations = [0.0, -1.0, f64::NAN].map(|deviation| FreeRatio { direction, deviation });
     let directions = [0.0, f64::NAN, f64::INFINITY].map(|x| FreeRatio::new([0.0, x, 0.0, 0.0]));
     for wrong in deviations.into_iter().chain(directions) {
-        let refused = Fit::new(&toy(), &SENSORS, &[FreeRatio::GRAVITY, wrong]).err();
-        assert_eq!(refused, Some(FitError::FreeRatio { ratio: 1 }), "{wrong:?}");
+        let refused = refusal(Fit::new(&toy(), &SENSORS, &[FreeRatio::GRAVITY, wrong]));
+        let expected = "ratios 1: must have a finite direction other than 0, and a positive deviation";
+        assert_eq!(refused, expected, "{wrong:?}");
     }
 }

@@ -2,8 +2,8 @@
 
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{
-    Accelerometer, Fit, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Measurement, Mounting, Noise,
-    Residual, Sensitivity, Sensor,
+    Accelerometer, Fit, FitError, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Measurement, Mounting,
+    Noise, Residual, Sensitivity, Sensor,
 };
 use toytop_tests::TOY;
 use toytop_tests::random::Random;
@@ -110,6 +110,11 @@ pub(crate) fn fitted(
 /// Launch found from the readings of a motion that starts in a state.
 pub(crate) fn simulated(top: &Top, state: &State, sensors: &[&dyn Sensor], count: u32, seed: u64) -> Fitted {
     fitted(top, sensors, &[], &readings(top, state, sensors, count, seed))
+}
+
+/// Text of a refusal.
+pub(crate) fn refusal<T>(result: Result<T, FitError>) -> String {
+    result.err().unwrap().to_string()
 }
 
 /// Errors in standard deviations of ω, turned back by the error of the orientation.

@@ -1,6 +1,6 @@
 //! Measurements of one fit, checked, with their sensors.
 
-use crate::fit::error::FitError;
+use crate::error::{FitError, check};
 use crate::sensors::{Hint, Measurement, Measurements, Sensor};
 use crate::vector::Vector;
 
@@ -20,22 +20,20 @@ impl<'a, F, M: Measurements> Block<'a, F, M> {
     /// Block whose rates are in rad per unit time. Each measurement is checked.
     #[inline(never)] // stack
     pub(super) fn new(sensors: &'a [&'a dyn Sensor<F>], measurements: M) -> Result<Self, FitError> {
-        let first = measurements.clone().next().ok_or(FitError::NoMeasurements)?.time;
-        let mut block = Self { sensors, total: 0, times: [first; 2], rate_unit: 1.0, measurements };
-        for (index, Measurement { time, sensor, values }) in block.measurements.clone().enumerate() {
-            if !time.is_finite() || values.iter().any(|x| !x.is_finite()) {
-                return Err(FitError::NotFinite { index });
-            }
-            let [_, last] = &mut block.times;
-            if time < *last {
-                return Err(FitError::OutOfOrder { index });
-            }
-            if sensor >= sensors.len() {
-                return Err(FitError::UnknownSensor { index });
-            }
-            (*last, block.total) = (time, index + 1);
+        const NAME: &str = "measurements";
+        let mut total = 0;
+        let mut times = None;
+        for Measurement { time, sensor, values } in measurements.clone() {
+            let [first, last] = times.unwrap_or([time; 2]);
+            let is_finite = time.is_finite() && values.iter().all(|x| x.is_finite());
+            check(is_finite, NAME, Some(total), "be finite")?;
+            check(time >= last, NAME, Some(total), "not be earlier than the one before")?;
+            check(sensor < sensors.len(), NAME, Some(total), "be of a sensor in the list")?;
+            times = Some([first, time]);
+            total += 1;
         }
-        Ok(block)
+        let times = times.ok_or(FitError { parameter: NAME, index: None, must: "not be empty" })?;
+        Ok(Self { sensors, total, times, rate_unit: 1.0, measurements })
     }
 
     /// Block whose rates are in degrees per unit time.

@@ -1,7 +1,7 @@
 //! Result of a fit: the launch, its covariance, and how far both can be trusted.
 
+use crate::error::FitWarning;
 use crate::estimate::Estimate;
-use crate::fit::error::FitWarning;
 use crate::fit::solver::Fit;
 use crate::fit::statistics::Statistics;
 use crate::model::{Model, carried};

@@ -1,8 +1,8 @@
 //! Search for a launch without a first guess, on longer and longer parts of the measurements; and reasons not to trust what it finds.
 
+use crate::error::FitWarning;
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
-use crate::fit::error::FitWarning;
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, guesses, rotation_from_vertical};
 use crate::fit::solver::{CONVERGED_SIGMA, Fit, Pass};
 use crate::sensitivity::LAUNCH_COLUMNS;
