@@ -173,19 +173,22 @@ impl Model {
         Motion::launch(&self.top_of(estimate)?, &estimate.state()?)
     }
 
-    /// Derivatives of the motion of an estimate with respect to the unknowns.
-    fn sensitivity(&self, estimate: &Estimate) -> Option<Sensitivity> {
-        let equations = self.equations(estimate);
+    /// Derivatives of the motion of an estimate, with the columns of these equations.
+    pub(crate) fn sensitivity(
+        &self,
+        estimate: &Estimate,
+        equations: &Equations<f64>,
+    ) -> Result<Sensitivity, ParameterError> {
         if self.has_losses() {
-            return Some(Sensitivity::without_period(&equations, &estimate.body_state(), COARSE_STEP));
+            return Ok(Sensitivity::without_period(equations, &estimate.body_state(), COARSE_STEP));
         }
-        let motion = self.motion(estimate).ok()?;
-        Some(Sensitivity::with_equations(&motion, &equations, COARSE_STEP))
+        Ok(Sensitivity::with_equations(&self.motion(estimate)?, equations, COARSE_STEP))
     }
 
     /// Launch at a later time, with the derivatives there with respect to the unknowns.
     pub(crate) fn predicted(&self, estimate: &Estimate, span: f64) -> Option<(Estimate, Partials)> {
-        let at = self.sensitivity(estimate)?.advance_with_omega_turned(span)?;
+        let equations = self.equations(estimate);
+        let at = self.sensitivity(estimate, &equations).ok()?.advance_with_omega_turned(span)?;
         let orientation = at.orientation();
         let omega = at.omega();
         Some((Estimate { orientation, omega, ..*estimate }, at))

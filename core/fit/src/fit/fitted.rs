@@ -5,9 +5,7 @@ use crate::estimate::Estimate;
 use crate::fit::solver::Fit;
 use crate::fit::statistics::Statistics;
 use crate::model::{Model, carried};
-use crate::sensitivity::{
-    COARSE_STEP, COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity, Tangent,
-};
+use crate::sensitivity::{COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity, Tangent};
 use crate::squares::{MAX_UNKNOWNS, Squares, inner};
 use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
@@ -141,12 +139,9 @@ impl Fitted {
     /// # Errors
     /// The errors of [`Fitted::motion`].
     pub fn sensitivity(&self) -> Result<Sensitivity, ParameterError> {
-        let Some(Drift { losses, .. }) = self.drift else {
-            return Ok(Sensitivity::new(&self.motion()?));
-        };
         let mut equations = Equations::new(&self.top()?);
-        equations.coefficients.losses = losses;
-        Ok(Sensitivity::without_period(&equations, &self.launch.body_state(), COARSE_STEP))
+        equations.coefficients.losses = self.model.losses_of(&self.launch);
+        self.model.sensitivity(&self.launch, &equations)
     }
 
     /// Covariance of two unknowns, counted from 0; 0 where there is no such unknown. The unknowns are: rotation vector δ of Φ in the fixed
