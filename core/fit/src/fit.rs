@@ -24,7 +24,6 @@ use crate::squares::Squares;
 use crate::vector::{Vector, norm, rotation_vector};
 use block::Block;
 pub use fitted::{Drift, Fitted, Unobservable};
-use solver::CONVERGED_SIGMA;
 pub use solver::Fit;
 pub use statistics::Statistics;
 use toytop::Top;
@@ -159,7 +158,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let information = covariance.inverse_rows().map(|row| row.map(F::from_f64)).collect();
         self.prior = Prior { estimate: predicted, information };
         self.start_from(&predicted);
-        let settled = self.settle(&block, usize::MAX, CONVERGED_SIGMA);
+        let settled = self.settle(&block, usize::MAX);
         let warning = self.warning(settled);
         let fitted = Fitted::new(self, block.times, warning, 0);
         let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());

@@ -4,15 +4,13 @@ use crate::error::FitWarning;
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
 use crate::fit::first_guess::{FIRST_INSTANTS, Guesses, guesses, rotation_from_vertical};
-use crate::fit::solver::{CONVERGED_SIGMA, Fit, Pass};
+use crate::fit::solver::{Fit, Pass};
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::Measurements;
 use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
-/// Largest last correction of a part of the measurements, in standard deviations.
-const PARTIAL_STEP_SIGMA: f64 = 0.5;
 /// Largest difference of the sums of squares of two launches that fit equally well.
 const EQUAL_COST: f64 = 9.0;
 /// Least distance of two launches that are not the same, in standard deviations.
@@ -44,10 +42,8 @@ impl<F: Real> Fit<'_, F> {
         // each part begins from an estimate that is good enough for it
         while count.saturating_mul(8) < block.total {
             count = count.saturating_mul(4);
-            self.settle(block, count, PARTIAL_STEP_SIGMA);
+            self.settle(block, count);
         }
-        // a shorter part does not show how far the equations are linear over all measurements
-        self.curvature = f64::INFINITY;
         (self.settle_on_all(block), other_launch_count)
     }
 
@@ -59,8 +55,8 @@ impl<F: Real> Fit<'_, F> {
         let mut others = 0;
         for guess in (0..).map_while(|number| guesses.get(number)) {
             self.start_from(&guess);
-            self.settle(block, count / 4, PARTIAL_STEP_SIGMA);
-            self.settle(block, count, CONVERGED_SIGMA);
+            self.settle(block, count / 4);
+            self.settle(block, count);
             let Pass { estimate, information, statistics } = &self.best;
             let cost = statistics.cost;
             let change = estimate.change_from(&best.0).map(F::from_f64);
@@ -83,7 +79,7 @@ impl<F: Real> Fit<'_, F> {
 
     /// Passes over all measurements. Returns the reason not to trust the estimate.
     pub(super) fn settle_on_all(&mut self, block: &Block<F, impl Measurements>) -> Option<FitWarning> {
-        let settled = self.settle(block, usize::MAX, CONVERGED_SIGMA);
+        let settled = self.settle(block, usize::MAX);
         let launch = &self.best.estimate;
         let found = dot(launch.omega, launch.orientation.axis());
         let bound = |([_, _, low], saturated): (Vector<f64>, bool)| (saturated && low != 0.0).then_some(low);

@@ -1,4 +1,9 @@
-//! State of a fit, and its correction, pass by pass, by the method of Levenberg and Marquardt.
+//! State of a fit, and its correction, pass by pass, by the method of Levenberg and Marquardt. [`Fit::settle`] repeats these steps:
+//!
+//! 1. The prior information and each measurement are added to the sum of squares at the estimate that is tried.
+//! 2. An estimate with a lower sum becomes the best one, and the damping a tenth; otherwise the damping is ten times as large.
+//! 3. The damped sum of the best estimate gives its correction, and with it the next estimate.
+//! 4. It ends if that correction is small, or if the next one will be.
 
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
@@ -9,16 +14,14 @@ use crate::sensors::{Measurement, Measurements, Residual, Sensor};
 use crate::squares::{MAX_UNKNOWNS, Squares, unit_row};
 use toytop::scalar::Real;
 
-/// Size of the last correction of a fit that has converged, in standard deviations. The next one would be about its square.
-pub(super) const CONVERGED_SIGMA: f64 = 0.05;
+/// Largest size of the last correction of an estimate that has settled on all measurements, in standard deviations.
+const CONVERGED_SIGMA: f64 = 0.05;
+/// The same on a part of the measurements.
+const PARTIAL_SIGMA: f64 = 0.5;
 /// Damping at the beginning.
 const FIRST_DAMPING: f64 = 1e-3;
 /// Largest number of passes over one part of the measurements.
 const MAX_PASSES: u32 = 30;
-/// Largest estimated size of the next correction, in standard deviations, for a fit to end without another pass.
-const NEXT_SETTLED: f64 = 0.1;
-/// Largest correction after which a fit may end without another pass, in standard deviations.
-const MAX_UNCONFIRMED: f64 = 10.0;
 /// Least sine of the tilt at which a fit may end without another pass.
 const MIN_TILT: f64 = 0.1;
 /// Largest change of the sum of squares that the error of the integration causes.
@@ -45,8 +48,6 @@ pub struct Fit<'a, F = f64> {
     damping: f64,
     /// Size of the last correction from the same measurements, in standard deviations.
     last_change: Option<f64>,
-    /// Size of a correction over the square of the size of the one before it.
-    pub(super) curvature: f64,
 }
 
 /// Estimate, and the least-squares problem of its corrections.
@@ -111,7 +112,6 @@ impl<'a, F: Real> Fit<'a, F> {
             trajectory: model.trajectory(&estimate),
             damping: FIRST_DAMPING,
             last_change: None,
-            curvature: f64::INFINITY,
         }
     }
 
@@ -129,14 +129,12 @@ impl<'a, F: Real> Fit<'a, F> {
         *statistics = Statistics::default();
         self.best.estimate = Estimate { orientation: estimate.orientation.normalised(), ..*estimate };
         self.damping = FIRST_DAMPING;
-        self.curvature = f64::INFINITY;
     }
 
     /// Passes over the first `count` measurements until the estimate does not change any more. Returns whether it settled.
-    ///
-    /// * `settled`: largest correction of an estimate that counts as unchanged, in standard deviations
     #[inline(never)] // stack
-    pub(super) fn settle(&mut self, block: &Block<F, impl Measurements>, count: usize, settled: f64) -> bool {
+    pub(super) fn settle(&mut self, block: &Block<F, impl Measurements>, count: usize) -> bool {
+        let settled = if count < block.total { PARTIAL_SIGMA } else { CONVERGED_SIGMA };
         self.best.statistics.cost = f64::INFINITY;
         // damping left from other measurements would end the fit after one tiny correction
         self.damping = self.damping.min(FIRST_DAMPING);
@@ -217,14 +215,12 @@ impl<'a, F: Real> Fit<'a, F> {
         if !size.is_finite() {
             return Some(false);
         }
-        if let Some(last) = self.last_change.replace(size).filter(|_| improved) {
-            self.curvature = size / (last * last);
-        }
+        let last = self.last_change.replace(size).filter(|_| improved);
         // near the vertical the derivatives themselves depend on the launch
         let [x, y, _] = next.orientation.axis();
-        let near = x * x + y * y > MIN_TILT * MIN_TILT
-            && size < MAX_UNCONFIRMED
-            && self.curvature * size * size < NEXT_SETTLED;
+        let is_tilted = x * x + y * y > MIN_TILT * MIN_TILT;
+        // the next correction is smaller by the same factor, or by more
+        let near = is_tilted && last.is_some_and(|last| size * size < settled * last);
         if size < settled || near {
             // the information is about changes along the body axes, and does not turn with the correction
             best.information.set_solution(&[F::ZERO; MAX_UNKNOWNS]);
