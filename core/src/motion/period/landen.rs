@@ -19,7 +19,7 @@ pub(super) struct Landen<F> {
     /// Product of (1 + k)² over all steps.
     scale: F,
     /// Number of steps, from the first, with 1 - k <= 1/8.
-    steps_near_one: usize,
+    steps_with_large_modulus: usize,
 }
 
 /// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
@@ -28,7 +28,6 @@ pub(super) const MAX_NODES: u32 = 1 << 13;
 /// Transformation to a modulus k.
 #[derive(Clone, Copy)]
 struct LandenStep<F> {
-    modulus: F,
     /// Difference 1 - k.
     complement: F,
     /// Modulus times the product of (1 + k)² over the steps to smaller moduli.
@@ -44,8 +43,8 @@ impl<F: Float> Landen<F> {
 
     /// Sequence without steps.
     pub(super) const EMPTY: Self = {
-        let step = LandenStep { modulus: F::ZERO, complement: F::ZERO, scaled_modulus: F::ZERO };
-        Self { steps: [step; LANDEN_STEPS], scale: F::ONE, steps_near_one: 0 }
+        let step = LandenStep { complement: F::ZERO, scaled_modulus: F::ZERO };
+        Self { steps: [step; LANDEN_STEPS], scale: F::ONE, steps_with_large_modulus: 0 }
     };
 
     /// Fills an empty sequence for m and m₁ = 1 - m, each given with full relative precision. It is filled in place, because a sequence that
@@ -62,26 +61,22 @@ impl<F: Float> Landen<F> {
                 break;
             }
             let complement = conjugate.doubled() * inverse_sum;
-            *step = LandenStep { modulus, complement, scaled_modulus: modulus };
-            self.steps_near_one += usize::from(complement.to_f64() <= 0.125);
+            *step = LandenStep { complement, scaled_modulus: modulus };
+            self.steps_with_large_modulus += usize::from(complement.to_f64() <= 0.125);
             conjugate = conjugate.sqrt().doubled() * inverse_sum;
             modulus_squared = modulus.squared();
             pause();
         }
-        for step in self.steps.iter_mut().rev().filter(|step| step.modulus > F::ZERO) {
-            step.scaled_modulus = step.modulus * self.scale;
-            self.scale = self.scale * (F::ONE + step.modulus).squared();
+        for step in self.steps.iter_mut().rev().filter(|step| step.scaled_modulus > F::ZERO) {
+            let modulus = step.scaled_modulus;
+            step.scaled_modulus = modulus * self.scale;
+            self.scale = self.scale * (F::ONE + modulus).squared();
         }
-    }
-
-    fn active_steps(&self) -> impl Iterator<Item = &LandenStep<F>> {
-        self.steps.iter().filter(|step| step.modulus > F::ZERO)
     }
 
     /// Quarter period K = π/2 ∏ (1 + k).
     pub(super) fn quarter_period(&self) -> F {
-        let half_pi = F::from_extended(Extended::TWO_PI).halved().halved();
-        self.active_steps().fold(half_pi, |product, step| product * (F::ONE + step.modulus))
+        F::from_extended(Extended::TWO_PI).halved().halved() * self.scale.sqrt()
     }
 
     /// Number of nodes to begin with (1, 3 or 5), and number needed for these bits: 4, 8, 16, ... times the first.
@@ -103,11 +98,14 @@ impl<F: Float> Landen<F> {
     /// Bits of accuracy by each node: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent.
     fn bits_per_node(&self) -> f64 {
         // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
-        let last = self.active_steps().fold((1.0, 64.0), |(share, _), step| {
-            let exponent = 1023 - (step.modulus.to_f64().to_bits() >> 52) as i32;
-            (0.5 * share, share * f64::from(2 + exponent))
-        });
-        2.0 * last.1
+        let mut bits = 128.0;
+        let mut share = 2.0;
+        for step in self.steps.iter().take_while(|step| step.scaled_modulus > F::ZERO) {
+            let exponent = 1023 - (step.scaled_modulus.to_f64().to_bits() >> 52) as i32;
+            bits = share * f64::from(2 + exponent);
+            share *= 0.5;
+        }
+        bits
     }
 
     /// Squares at u = 2 K φ/π, from sin φ and cos φ, with sn² = X/W and cn² = Y/W.
@@ -119,14 +117,15 @@ impl<F: Float> Landen<F> {
         let mut sum = F::ONE;
         let mut difference = F::ONE;
         for (number, step) in self.steps.iter().enumerate().rev() {
-            let LandenStep { modulus, complement, scaled_modulus } = *step;
-            if modulus == F::ZERO {
+            let LandenStep { complement, scaled_modulus } = *step;
+            if scaled_modulus == F::ZERO {
                 continue;
             }
             let kx = scaled_modulus * x;
             sum = w + kx;
-            // W - k X = (1 - k) W + k Y, whose rounding error is smaller where k is near 1
-            difference = if number < self.steps_near_one { complement * w + modulus * y } else { w - kx };
+            // W - k X = Y + (1 - k) (W - Y), whose rounding error is smaller where k is near 1
+            difference =
+                if number < self.steps_with_large_modulus { y + complement * (w - y) } else { w - kx };
             y = y * (difference + complement * kx);
             x = x * w;
             w = sum.squared();

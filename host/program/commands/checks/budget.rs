@@ -100,7 +100,7 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
         measured.insert(chip.name.to_owned(), costs);
     }
     if arguments.accept {
-        let budgets = Budgets::with_slack(measured);
+        let budgets = Budgets(measured);
         let report = pages::write(&pages::parts_with_budgets(&budgets))?;
         whole_file::write("--accept", &root.join(LIMITS), budgets.to_toml().as_bytes())?;
         return Ok(report);

@@ -105,7 +105,7 @@ fn table_of_calls(budgets: &Budgets) -> String {
         let figure = |(heading, chip, figure): (_, Chip, Figure)| {
             (heading, Value::from(figure(&budgets.budget(chip.name, call))))
         };
-        once(("call, at most; a tick gives α, β, u and the tip", Value::from(what)))
+        once(("call; a tick gives α, β, u and the tip", Value::from(what)))
             .chain(COLUMNS.map(figure))
             .collect()
     };
@@ -124,7 +124,7 @@ const FRONT_ROWS: [(Chip, &str, &str); 5] = [
 fn table_of_front_page(budgets: &Budgets) -> String {
     let row = |(chip, call, what): (Chip, &str, &str)| {
         let Cost { cycles, ram, stack, flash, .. } = budgets.budget(chip.name, call);
-        json!({ "at most": what, "cycles": cycles, "kept, bytes": ram, "stack, bytes": stack, "flash, bytes": flash })
+        json!({ "call": what, "cycles": cycles, "kept, bytes": ram, "stack, bytes": stack, "flash, bytes": flash })
     };
     TextTable::of_fields(&FRONT_ROWS.map(row), 8).markdown()
 }
