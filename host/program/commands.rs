@@ -1,4 +1,4 @@
-//! Commands of `toytop`, one module for each, in the groups of `toytop --help`. A command checks its input before it writes.
+//! Commands of `toytop` in the groups of `toytop --help`, and what several of them share. A command checks its input before it writes.
 
 /// Warnings about motions that a real top does not follow.
 mod warnings;

@@ -64,7 +64,7 @@ impl Failure {
         }
     }
 
-    /// Failure whose message begins with the motion's name where a method does not apply to the motion, and else with the option.
+    /// Failure whose message begins with the motion's name, if a method does not apply to the motion, or otherwise with the option.
     pub fn with_option_or_motion(self, option: &str, motion: &str) -> Self {
         let name = if matches!(self, Self::Method(_)) { motion } else { option };
         self.with_context(name)

@@ -72,7 +72,7 @@ pub fn fields(row: &impl Serialize) -> Vec<(String, Value)> {
     fields
 }
 
-/// Appends the words and numbers of a value of this name. Words of a list are one.
+/// Appends the words and numbers of a value, each with its full name. A list of words becomes one field.
 fn flatten(name: String, value: Value, fields: &mut Vec<(String, Value)>) {
     let named = |part: &str| if name.is_empty() { part.to_owned() } else { format!("{name}_{part}") };
     match value {

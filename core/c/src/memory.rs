@@ -63,7 +63,7 @@ pub(crate) unsafe fn store<P, T: Opaque>(place: *mut P, value: T) -> Result<(), 
     unsafe { write(place.cast(), Tagged { tag: T::TAG, value: MaybeUninit::new(value) }) }
 }
 
-/// Type whose values C keeps.
+/// Rust type that C holds as opaque bytes.
 pub(crate) trait Opaque: Sized {
     /// Number that identifies the type. Memory of another use is unlikely to begin with it.
     const TAG: u32;

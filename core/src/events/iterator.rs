@@ -50,7 +50,7 @@ impl<R: TableScalar> Table<R> {
 
     /// Instants at tick `from` or later at which [`Sample::tip_angle`](crate::Sample::tip_angle) is `angle`, whole turns aside.
     ///
-    /// Error of the time: the orientation's error bound over 2|αβφ'|, and 2^-54 ticks. Cost: some 100 tip angles.
+    /// Error of the time: the orientation's error bound over 2|αβφ'| (in 16 bits twice as much), and 2^-54 ticks. Cost: some 100 tip angles.
     #[must_use]
     pub fn tip_angles(&self, angle: Phase, from: i64) -> Events<'_, R> {
         Events(Kind::TipAngle(TipAngleSearch::new(self, angle, from)))

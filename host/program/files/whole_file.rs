@@ -1,4 +1,4 @@
-//! Files that are written completely or not at all.
+//! Files, each of which is written completely or not at all.
 
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};

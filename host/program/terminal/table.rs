@@ -28,7 +28,7 @@ impl TextTable {
         }
     }
 
-    /// One column a field, below its name. Numbers have `digits` significant digits; `-` is an absent value. The first columns of words are
+    /// Table with one column for each field, headed by the field's name. Numbers have `digits` significant digits; `-` is an absent value. The first columns of words are
     /// aligned to the left.
     pub fn of_fields(rows: &[impl Serialize], digits: usize) -> Self {
         let rows: Vec<_> = rows.iter().map(fields).collect();

@@ -1,4 +1,4 @@
-//! Computations run without the interpreter's lock, and end at Ctrl-C.
+//! Computations run without the interpreter's lock. Those of several jobs end at Ctrl-C.
 
 use crate::arguments::failed;
 use pyo3::exceptions::PyRuntimeError;

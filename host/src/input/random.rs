@@ -1,6 +1,6 @@
 //! Generator of random numbers (SplitMix64). A seed and a number determine each stream.
 //!
-//! The seeds of sweeps, simulated sensors and studies promise their numbers, and the printed pages depend on them. Another generator, such as a
+//! A seed must give the same numbers in every version, because printed pages and users' sweeps depend on them. Another generator, such as a
 //! named one of the `rand` family, would change them.
 
 /// Stream of random numbers.

@@ -3,7 +3,7 @@
 use crate::excerpt;
 use std::f64::consts::PI;
 
-/// Units of a quantity as (name, m, d): x of a unit is x m/d of the key's unit, which is the first. Dividing by d gives `"30 g"` the bits
+/// Units of a quantity, the key's own first. (name, m, d): one of the unit is m/d of the key's unit. Dividing by d gives `"30 g"` the bits
 /// of `0.03`.
 pub type UnitTable = &'static [(&'static str, f64, f64)];
 

@@ -2,7 +2,7 @@
 //!
 //! A state needs no special formulas: 192 digits absorb the cancellation.
 //!
-//! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - n²/2C)/(pg).
+//! (u - e₁)(u - e₂)(u - e₃) = u³ - E u² - u + E - κ (l - nu)² with κ = 1/(2Apg) and E = (h - (n - K)²/2C)/(pg).
 
 use super::float640::{
     Complex640, Float640, cis, conjugate, from_f64, from_i64, is_zero, norm_squared, product, square_root,

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! dt/dχ = √(2 D/(g (e₃ - u))),    D = A/p + s (1 - u²),    u = e₁ cos²χ + e₂ sin²χ
-//! d(arg α)/dt = (l + n)/(2A (1 + u)) + τ/2,    d(arg β)/dt = (l - n)/(2A (1 - u)) - τ/2,    τ = (1/C - 1/A) n
+//! d(arg α)/dt = (l + n)/(2A (1 + u)) + τ/2,    d(arg β)/dt = (l - n)/(2A (1 - u)) - τ/2,    τ = (n - K)/C - n/A
 //! ```
 //!
 //! All singularities of these rates are at negative tan²χ. So panels whose ends have tan χ in the ratio 1 : 2 suffice for every motion.

@@ -1,8 +1,8 @@
 //! First guesses of a launch from the first measurements, without iteration:
 //!
 //! 1. Measurements of the same time make an instant. The first 16 instants that tell something of the orientation are used.
-//! 2. A camera or two directions give the orientation; one direction leaves a rotation about it open, the axis the rate about it, and rates alone
-//!    the whole orientation.
+//! 2. A camera or two directions give the orientation. One direction leaves a rotation about it open. The axis leaves the rotation about it open,
+//!    and rates alone leave the whole orientation open.
 //! 3. The angular velocity is read. Where it was not, it is the mean of the orientations' changes; a rate about the axis beyond the range may
 //!    also follow from the circle that a direction draws in the body.
 //! 4. The orientation is turned back to the first measurement. Several guesses replace what is still open.

@@ -234,9 +234,8 @@ impl<'a, F: Real> Fit<'a, F> {
         None
     }
 
-    /// Information of the best pass, with the information that damps a correction: a part `damping` of that along each unknown, as
-    /// Marquardt does, and a standard deviation of `limit` units. It overwrites the current pass's. Damping is along the fixed axes,
-    /// because yaw may be unobservable.
+    /// Information of the best pass plus the damping of Marquardt: along each unknown, `damping` times its own information, and a prior of
+    /// `limit` units. It overwrites the information of the current pass. Damping is along the fixed axes, because yaw may be unobservable.
     #[inline(never)] // stack
     pub(super) fn damped(&mut self, damping: f64, limit: f64) -> &Squares<F> {
         let Self { model, best: Pass { estimate, information, .. }, current, .. } = self;

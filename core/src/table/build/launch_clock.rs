@@ -23,7 +23,7 @@ impl<W: Float> Clock<W> {
         launch: Phases<Phase>,
     ) -> Self {
         let length = tick.length();
-        // LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is known
+        // in `u64`, because LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is a constant
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
         let step_turns = rates.map(|rate| rate * length);
         let step = step_turns.map(|turns| WrappedPhase::from_phase(turns.to_phase()));

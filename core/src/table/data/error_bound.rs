@@ -2,8 +2,8 @@
 
 /// Stated bound on an error: `constant` plus `per_tick` for each tick from the launch.
 ///
-/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Roundings of a tick: proved, but counted in
-/// `f64` and for rates. Roundings of a set-up: counted. Series: estimated. See [the error bound](crate::error_bound).
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). For orientations in `f32` and fixed point the roundings of a tick are proved. Those of `f64`, of
+/// rates and of a set-up are counted. Truncation errors of series are estimated. See [the error bound](crate::error_bound).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {

@@ -32,7 +32,8 @@ use toytop_host::score::trajectory::Trajectory;
         or alpha_re,alpha_im,beta_re,beta_im   Cayley-Klein parameters\n   \
         or r11,r12,...,r33                     matrix from body to fixed coordinates, by rows\n  \
         omega_body_x,omega_body_y,omega_body_z  for the drifts of h, l and n: rad/s in the body frame (also wx,wy,wz)\n   \
-        or omega_x,omega_y,omega_z             in the fixed frame\n\
+        or omega_x,omega_y,omega_z             in the fixed frame\n  \
+        tip_x,tip_y                             position of the tip, m\n\
         Lines above the header may state # method = RK4, # step = 0.001, # evaluations = 40000.\n\
         Files of one method with different steps give its order of convergence.\n\n\
         Example: toytop score host/scenarios/toy_top.toml rk4_*.csv --plot rk4.svg\n         \

@@ -41,7 +41,7 @@ pub struct FitArgs {
     /// Scenario file with the top; its motion is not read
     #[arg(long, value_name = "TOP.toml")]
     top: PathBuf,
-    /// Sensors; by default a telephone, as far as the samples have their columns
+    /// Sensors; by default those of a telephone whose columns the samples have
     #[arg(long, value_name = "SENSORS.toml")]
     sensors: Option<PathBuf>,
     /// Keys of the top that are fitted too

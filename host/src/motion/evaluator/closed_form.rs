@@ -30,7 +30,7 @@ impl Evaluate for AperiodicMotion {
         MotionSample { error_bound, ..MotionSample::from_state(t, &state, tip, Some(tip_angle(self, t))) }
     }
 
-    /// The events are roots of a function of time minus a whole number, while the axis is not upright to a rounding.
+    /// An event is a time at which `value` passes a whole number. Times are searched only until the axis is upright to a rounding.
     fn events(&self, condition: Condition, query: &EventQuery) -> Vec<MotionEvent> {
         /// Intervals of the search on either side of the lowest point. Each finds at most one event.
         const INTERVALS: i32 = 8192;

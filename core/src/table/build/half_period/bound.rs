@@ -37,7 +37,7 @@ impl HalfPeriod {
         let rotor = motion.top().rotor_momentum().abs() / motion.top().transverse_inertia();
         // relative rate of change of the angular velocity
         let change = 0.25 * x_rate + whole;
-        // |T_k'| <= k² for a dropped term of degree k
+        // |T_k'| <= k² for a dropped term of degree k; those after the first are much smaller
         let slope = ((terms + 1) as f64).squared() * f64::from(bounds.error);
         let rate = ErrorBound {
             constant: slope * x_rate

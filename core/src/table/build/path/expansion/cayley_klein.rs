@@ -67,8 +67,8 @@ impl Expansion {
     }
 }
 
-/// Solves z' = i z rate from the first coefficient in units of 2^-56, until two terms are at most `least` units of 2^-62 at x = 1. Returns the
-/// number of terms.
+/// Solves z' = i z rate from the first coefficient in units of 2^-56, until two successive terms are at most `least` units of 2^-62 at x = 1. Returns
+/// the number of terms.
 fn continue_exponential(
     rate: &PowerSeries,
     terms: usize,

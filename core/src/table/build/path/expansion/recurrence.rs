@@ -10,7 +10,7 @@ use crate::motion::phase_equations::{PhaseEquations, TiltDistances};
 use crate::scalar::Ring;
 use crate::table::build::path::series::{BITS, UnitFactor, in_range, integrated, sum_in_range};
 
-/// Whether the k-th coefficient is a rounding error, or its term at x = 1 is below `least` units.
+/// Whether a coefficient is a rounding error, or its term of degree k at x = 1 is below `least` units.
 fn is_negligible(coefficient: i64, k: usize, least: i64) -> bool {
     let size = coefficient.abs();
     size <= NOISE || size >> (2 * k) < least
