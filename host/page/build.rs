@@ -18,5 +18,6 @@ fn main() -> Result<()> {
             None => page.extend([line, "\n"]),
         }
     }
+    assert!(!page.contains("<script src"), "page.html: a script must be a line of its own");
     write(var("OUT_DIR").expect("cargo sets OUT_DIR") + "/page.html", page)
 }

@@ -3,10 +3,8 @@
 use crate::Failure;
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
-use std::process;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{self, RecvTimeoutError};
-use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 /// Stack of a thread, bytes. The set-up of the largest table needs 1.5 MB of it.
@@ -14,19 +12,11 @@ pub const STACK: usize = 1 << 25;
 /// Time between two questions whether the work goes on.
 pub const INTERVAL: Duration = Duration::from_millis(50);
 
-/// Thread pool with a thread for each processor core, which the first call in a process makes.
-fn pool() -> Result<&'static ThreadPool, Failure> {
-    // a forked process has none of the threads of its parent
-    static POOL: Mutex<Option<(u32, &ThreadPool)>> = Mutex::new(None);
-    let mut pool = POOL.lock().unwrap_or_else(PoisonError::into_inner);
-    match *pool {
-        Some((process, threads)) if process == process::id() => Ok(threads),
-        _ => {
-            let threads = ThreadPoolBuilder::new().stack_size(STACK).build();
-            let threads = threads.map_err(|error| Failure::Tool(format!("threads: {error}")))?;
-            Ok(pool.insert((process::id(), Box::leak(Box::new(threads)))).1)
-        }
-    }
+/// Thread pool of one call, with a thread for each processor core. A pool of the process would be lost in a forked process, and the calls of
+/// two threads would wait for each other.
+fn pool() -> Result<ThreadPool, Failure> {
+    let threads = ThreadPoolBuilder::new().stack_size(STACK).build();
+    threads.map_err(|error| Failure::Tool(format!("threads: {error}")))
 }
 
 /// Calls `work` with each of the jobs on all cores.
@@ -74,6 +64,7 @@ pub fn map<T: Send>(
 ) -> Result<Vec<T>, Failure> {
     let mut results: Vec<Option<T>> = (0..count).map(|_| None).collect();
     match &mut results[..] {
+        [] => {}
         [only] => *only = Some(compute(0)),
         results => {
             let jobs = results.par_iter_mut().enumerate();

@@ -6,9 +6,9 @@ use toytop_host::Failure;
 use toytop_host::threads::map;
 
 /// Number of rows of one job.
-const ROWS: u64 = 1024;
+const ROWS: u64 = 64;
 /// Number of jobs between two writes.
-const JOBS: u64 = 32;
+const JOBS: u64 = 512;
 
 /// Writes `count` rows. Memory does not grow with their number.
 ///

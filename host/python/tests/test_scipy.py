@@ -8,7 +8,6 @@ import pytest
 import toytop
 
 pytest.importorskip("scipy")
-full = pytest.importorskip("top", reason="the full equations are in host/comparisons of the repository")
 TIMES = np.linspace(-0.3, 0.7, 101)
 
 
@@ -43,6 +42,7 @@ def integrated(motion: toytop.Motion, times: Any, rtol: float) -> tuple[Any, Any
     from scipy.integrate import solve_ivp
 
     top, now = motion.top, motion.at(0.0)
+    full = pytest.importorskip("top", reason="the full equations are in host/comparisons of the repository")
     equations = full.Equations(
         top.transverse_inertia, top.axial_inertia, top.mass_moment, top.com_height, top.gravity
     )

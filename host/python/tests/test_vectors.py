@@ -1,6 +1,6 @@
 """Arrays against reference vectors of thirty digits, whose inputs are exact in float64: of a sliding top, a held one, and a launch by state.
 
-The tests of the program compare all vectors."""
+The tests of the program compare the orientations of all vectors."""
 
 from decimal import Decimal
 from typing import Any

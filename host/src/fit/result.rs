@@ -81,7 +81,9 @@ pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitRe
     }
     let refuse = |error: FitError| match error.parameter {
         "deviation" => Refusal::new("drift", "must be a positive number"),
-        "ratios" if input.drift.is_some() => Refusal::new("free", "must be at most one name with a drift"),
+        "ratios" if input.drift.is_some() && error.index.is_none() => {
+            Refusal::new("free", "must be at most one name with a drift")
+        }
         _ => Refusal::new("samples", error.to_string()),
     };
     let listed = input.sensors.as_sensors();

@@ -133,8 +133,8 @@ impl Fitted {
         self.model.motion(&self.launch)
     }
 
-    /// Derivatives of the fitted motion from the launch on. With losses the motion includes the losses, and the
-    /// measurements are at t <= 0.
+    /// Derivatives of the fitted motion from the launch on, with errors below 1e-9 of the largest of a column. With losses the motion includes
+    /// the losses, and the measurements are at t <= 0.
     ///
     /// # Errors
     /// The errors of [`Fitted::motion`].

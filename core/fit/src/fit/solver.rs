@@ -14,7 +14,8 @@ use crate::sensors::{Measurement, Measurements, Residual, Sensor};
 use crate::squares::{MAX_UNKNOWNS, Squares, unit_row};
 use toytop::scalar::Real;
 
-/// Largest size of the last correction of an estimate that has settled on all measurements, in standard deviations.
+/// Largest size of the last correction, or of the one expected after it, of an estimate that has settled on all measurements, in standard
+/// deviations.
 const CONVERGED_SIGMA: f64 = 0.05;
 /// The same on a part of the measurements.
 const PARTIAL_SIGMA: f64 = 0.5;

@@ -15,7 +15,7 @@ fn the_page_does_what_its_controls_say() {
         view(&[&sample(name)], &page);
         let facts = probe(&page, "operate()", width, "");
         let facts = facts.as_object().expect("facts");
-        assert!(!facts.is_empty());
+        assert!(facts.len() > 40, "{}", facts.len());
         for (fact, holds) in facts {
             assert_eq!(holds, true, "{name}: {fact}");
         }
