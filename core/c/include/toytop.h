@@ -27,7 +27,7 @@
 // Support of a tip that is held at a point: the Lagrange top.
 #define TOYTOP_FIXED 1
 
-// No support: a body that is released, floats or is in orbit.
+// No support: a body that is thrown, floats or is in orbit.
 #define TOYTOP_FREE 2
 
 // Standard gravity, m/s^2.

@@ -9,7 +9,7 @@ pub const TOYTOP_SLIDING: u32 = 0;
 /// Support of a tip that is held at a point: the Lagrange top.
 pub const TOYTOP_FIXED: u32 = 1;
 
-/// No support: a body that is released, floats or is in orbit.
+/// No support: a body that is thrown, floats or is in orbit.
 pub const TOYTOP_FREE: u32 = 2;
 
 /// Standard gravity, m/s^2.

@@ -17,7 +17,7 @@ use toytop::scalar::Real;
 /// Largest size of the last correction, or of the one expected after it, of an estimate that has settled on all measurements, in standard
 /// deviations.
 const CONVERGED_SIGMA: f64 = 0.05;
-/// The same on a part of the measurements.
+/// Largest size of such a correction on a part of the measurements, in standard deviations.
 const PARTIAL_SIGMA: f64 = 0.5;
 /// Damping at the beginning.
 const FIRST_DAMPING: f64 = 1e-3;

@@ -84,34 +84,35 @@ impl Budgets {
             for call in costs.keys().chain(budgeted).collect::<BTreeSet<_>>() {
                 let [measured, expected] =
                     [costs.get(call).cloned().unwrap_or_default(), self.budget(chip, call)];
-                for ((name, measured), (_, expected)) in
-                    measured.figures().into_iter().zip(expected.figures())
-                {
-                    let violation = match (measured, expected) {
-                        (Some(figure), Some(expected)) => {
-                            let most = if call == FLASH_S {
-                                MAX_FLASH_S
-                            } else if name == "ram" {
-                                expected
-                            } else {
-                                (MOST * expected as f64).ceil() as u64
-                            };
-                            if figure > most {
-                                format!("{figure} {name}, {most} allowed")
-                            } else if (figure as f64) < LEAST * expected as f64 {
-                                format!("{figure} {name}, {expected} expected: the budget must be lowered")
-                            } else {
-                                continue;
-                            }
-                        }
-                        (None, None) => continue,
-                        _ => format!("{name}: is in only one of the measurement and the budgets"),
-                    };
-                    lines.push(format!("{chip}: {call}: {violation}"));
-                }
+                let figures = measured.figures().into_iter().zip(expected.figures());
+                lines.extend(figures.filter_map(|((name, measured), (_, expected))| {
+                    let violation = violation(call, name, measured, expected)?;
+                    Some(format!("{chip}: {call}: {violation}"))
+                }));
             }
         }
         lines
+    }
+}
+
+/// Text about a figure that is too far from the expected one.
+fn violation(call: &str, name: &str, measured: Option<u64>, expected: Option<u64>) -> Option<String> {
+    let (figure, expected) = match (measured, expected) {
+        (Some(figure), Some(expected)) => (figure, expected),
+        (None, None) => return None,
+        _ => return Some(format!("{name}: is in only one of the measurement and the budgets")),
+    };
+    let most = match (call, name) {
+        (FLASH_S, _) => MAX_FLASH_S,
+        (_, "ram") => expected,
+        _ => (MOST * expected as f64).ceil() as u64,
+    };
+    if figure > most {
+        Some(format!("{figure} {name}, {most} allowed"))
+    } else if (figure as f64) < LEAST * expected as f64 {
+        Some(format!("{figure} {name}, {expected} expected: the budget must be lowered"))
+    } else {
+        None
     }
 }
 
@@ -156,6 +157,8 @@ mod tests {
         assert_eq!(lines("tick", cost(315)), Vec::<String>::new());
         assert_eq!(lines("tick", cost(316)), ["m4f: tick: 316 instructions, 315 allowed"]);
         assert_eq!(lines("tick", cost(240)), Vec::<String>::new());
+        let larger = Cost { ram: Some(2001), ..cost(300) };
+        assert_eq!(lines("tick", larger), ["m4f: tick: 2001 ram, 2000 allowed"]);
         assert!(lines("tick", cost(239))[0].contains("lowered"));
         assert_eq!(
             lines("tick", Cost { stack: None, ..cost(300) }),
