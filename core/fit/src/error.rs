@@ -15,7 +15,7 @@ pub struct FitError {
 }
 
 /// Error unless `holds`.
-pub(crate) fn check(
+pub(crate) fn require(
     holds: bool,
     parameter: &'static str,
     index: Option<usize>,
@@ -41,7 +41,7 @@ impl core::error::Error for FitError {}
 #[non_exhaustive]
 pub enum FitWarning {
     /// The corrections did not become small.
-    NotSettled,
+    NotConverged,
     /// The residuals of a sensor are far larger than the noise: the model, a unit, the noise or the solution is wrong.
     Misfit,
     /// The residuals become small when the rates are read as degrees per second.
@@ -61,7 +61,7 @@ pub enum FitWarning {
 impl fmt::Display for FitWarning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Self::NotSettled => "the corrections did not become small",
+            Self::NotConverged => "the corrections did not become small",
             Self::Misfit => "the residuals are far larger than the noise",
             Self::RatesInDegrees => "the rates seem to be in degrees per second: the residuals then are small",
             Self::AtRest => "the top is at rest, held by something that the model does not know",

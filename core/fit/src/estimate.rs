@@ -1,7 +1,7 @@
 //! Estimate of the unknowns of a fit: a launch, free ratios of the top, losses and biases.
 
 use crate::sensitivity::{BodyState, LAUNCH_COLUMNS, RATIOS};
-use crate::squares::{MAX_UNKNOWNS, Unknowns};
+use crate::square_root::{MAX_UNKNOWNS, Unknowns};
 use crate::vector::{Vector, add_scaled, rotation_vector};
 use toytop::su2::Orientation;
 use toytop::{ParameterError, State};

@@ -1,8 +1,18 @@
-//! Fit of a launch to measurements: without a first guess, from one, and from the fit of the block before.
+//! Fit of a launch to measurements:
 //!
-//! A pass reads the measurements and stores none of them; then the launch is corrected, and the next pass begins: see [partials](crate::partials).
+//! 1. Search (`search`): the first measurements give one or more guesses (`first_guess`). Each one is corrected on the first part of the
+//!    measurements, and the best one on longer and longer parts. A first guess of the caller, or the fit of the block before, takes the place
+//!    of the search.
+//! 2. Solve (`solver`): a pass reads a part of the measurements and stores none of them. Then the launch is corrected, and the next pass
+//!    begins. The last passes read all measurements.
+//! 3. Check (`check`): the residuals are compared with the noise (`statistics`), and the launch with others that would fit as well.
+//! 4. Result (`fitted`): the covariance, the directions that stay open, and the drift.
+//!
+//! The numbers that decide in these steps are in `limits`, the formulas on the page of [partials](crate::partials).
 
 // In the order of dependence.
+mod limits;
+
 mod block;
 
 mod statistics;
@@ -13,14 +23,16 @@ mod first_guess;
 
 mod search;
 
+mod check;
+
 mod fitted;
 
-use crate::error::{FitError, FitWarning, check};
+use crate::error::{FitError, FitWarning, require};
 use crate::estimate::{Estimate, FreeRatio};
 use crate::model::{Model, Prior, carried};
 use crate::sensitivity::{LAUNCH_COLUMNS, Tangent};
 use crate::sensors::{Measurement, Sensor};
-use crate::squares::Squares;
+use crate::square_root::SquareRoot;
 use crate::vector::{Vector, norm, rotation_vector};
 use block::Block;
 pub use fitted::{Drift, Fitted, Unobservable};
@@ -68,7 +80,7 @@ impl<'a, F: Real> Fit<'a, F> {
     /// # Errors
     /// `ratios`: more than one. `deviation`: not a positive number.
     pub fn with_losses(self, deviation: f64) -> Result<Self, FitError> {
-        check(deviation.is_finite() && deviation > 0.0, "deviation", None, "be finite and positive")?;
+        require(deviation.is_finite() && deviation > 0.0, "deviation", None, "be finite and positive")?;
         let Self { sensors, model, huber, .. } = self;
         let model = Model::new(&model.top, sensors, model.free(), Some(deviation))?;
         Ok(Self::with_model(sensors, model, huber))
@@ -84,9 +96,9 @@ impl<'a, F: Real> Fit<'a, F> {
     ) -> Result<Fitted, FitError> {
         let block = Block::new(self.sensors, measurements)?;
         self.reset_prior();
-        let (warning, other_launch_count) = self.search(&block);
+        let (warning, other_launch_count) = self.find(&block);
         let mut fitted = Fitted::new(self, block.times, warning, other_launch_count);
-        if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotSettled)) {
+        if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotConverged)) {
             let cause = self.misfit_cause(&block, fitted.statistics.chi_squared);
             fitted.warning = cause.or(fitted.warning);
         }
@@ -105,7 +117,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let block = Block::new(self.sensors, measurements)?;
         self.reset_prior();
         self.start_from(&guess);
-        let warning = self.settle_on_all(&block);
+        let warning = self.converge_on_all(&block);
         Ok(Fitted::new(self, block.times, warning, 0))
     }
 
@@ -124,13 +136,13 @@ impl<'a, F: Real> Fit<'a, F> {
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Tracked, FitError> {
         let is_valid = drift_deviation.is_finite() && drift_deviation >= 0.0;
-        check(is_valid, "drift_deviation", None, "be finite and not negative")?;
+        require(is_valid, "drift_deviation", None, "be finite and not negative")?;
         let is_same = self.model.has_unknowns_of(&last.model);
-        check(is_same, "last", None, "have the same top and the same unknowns")?;
+        require(is_same, "last", None, "have the same top and the same unknowns")?;
         let block = Block::new(self.sensors, measurements)?;
         let [first, _] = block.times;
         let span = first - last.launch_time;
-        check(span >= 0.0, "measurements", Some(0), "not be earlier than the last launch")?;
+        require(span >= 0.0, "measurements", Some(0), "not be earlier than the last launch")?;
         let refused = FitError {
             parameter: "last",
             index: None,
@@ -146,7 +158,7 @@ impl<'a, F: Real> Fit<'a, F> {
                 .for_each(|(index, _)| row.iter_mut().skip(index).take(1).for_each(|x| *x = 0.0));
             carried(&to_body_axes, &row)
         });
-        let mut covariance: Squares<f64> = rows.collect();
+        let mut covariance: SquareRoot<f64> = rows.collect();
         let noise = drift_deviation * norm(predicted.omega) * span;
         for index in 0..LAUNCH_COLUMNS {
             let noise = if index < 3 { 0.5 * span * noise } else { noise };
@@ -158,8 +170,8 @@ impl<'a, F: Real> Fit<'a, F> {
         let information = covariance.inverse_rows().map(|row| row.map(F::from_f64)).collect();
         self.prior = Prior { estimate: predicted, information };
         self.start_from(&predicted);
-        let settled = self.settle(&block, usize::MAX);
-        let warning = self.warning(settled);
+        let converged = self.converge(&block, usize::MAX);
+        let warning = self.warning(converged);
         let fitted = Fitted::new(self, block.times, warning, 0);
         let turn = self.best.estimate.orientation.compose(&predicted.orientation.inverse());
         let span = fitted.launch_time - last.launch_time;

@@ -13,7 +13,7 @@ mod sensitivity;
 
 mod sensors;
 
-mod squares;
+mod square_root;
 
 mod estimate;
 
@@ -34,4 +34,4 @@ pub use sensors::{
     Accelerometer, AxisCamera, Gyroscope, Hint, Magnetometer, Mark, Measurement, Mounting, Noise,
     OrientationCamera, Residual, Sensor, TipCamera, Values,
 };
-pub use squares::MAX_UNKNOWNS;
+pub use square_root::MAX_UNKNOWNS;

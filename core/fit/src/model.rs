@@ -1,13 +1,13 @@
 //! Order, units and prior information of the unknowns of a fit, and the motion that they determine.
 
-use crate::error::{FitError, check};
+use crate::error::{FitError, require};
 use crate::estimate::{Estimate, FreeRatio};
 use crate::sensitivity::{
     COARSE_STEP, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, PASS_STEP, Partials, RATIOS,
     Sensitivity, Tangent, Trajectory, log_derivatives,
 };
 use crate::sensors::Sensor;
-use crate::squares::{MAX_UNKNOWNS, Squares, Unknowns};
+use crate::square_root::{MAX_UNKNOWNS, SquareRoot, Unknowns};
 use crate::vector::{UNITS, Vector, add_scaled, norm, scaled};
 use toytop::scalar::Real;
 use toytop::{FirstIntegrals, Motion, Orientation, ParameterError, Top};
@@ -21,7 +21,7 @@ pub const MAX_RATIOS: usize = RATIOS;
 #[derive(Clone)]
 pub(crate) struct Prior<F> {
     pub(crate) estimate: Estimate,
-    pub(crate) information: Squares<F>,
+    pub(crate) information: SquareRoot<F>,
 }
 
 /// Changes of the unknowns at a later time, from those at the launch.
@@ -60,15 +60,15 @@ impl Model {
     ) -> Result<Self, FitError> {
         let losses = loss_deviation.into_iter().flat_map(|deviation| [deviation; LOSS_COUNT]);
         let motion_count = LAUNCH_COLUMNS + ratios.len() + losses.clone().count();
-        check(sensors.len() <= MAX_SENSORS, "sensors", None, "be at most four")?;
-        check(motion_count <= COLUMNS, "ratios", None, "be at most four, or one with losses")?;
+        require(sensors.len() <= MAX_SENSORS, "sensors", None, "be at most four")?;
+        require(motion_count <= COLUMNS, "ratios", None, "be at most four, or one with losses")?;
         for (index, sensor) in sensors.iter().enumerate() {
             let must = "have positive noise, and a bias that is not negative";
-            check(sensor.noise().is_valid(), "sensors", Some(index), must)?;
+            require(sensor.noise().is_valid(), "sensors", Some(index), must)?;
         }
         for (index, ratio) in ratios.iter().enumerate() {
             let must = "have a finite direction other than 0, and a positive deviation";
-            check(ratio.is_valid(), "ratios", Some(index), must)?;
+            require(ratio.is_valid(), "ratios", Some(index), must)?;
         }
         let mut model = Self {
             top: *top,
@@ -207,7 +207,7 @@ impl Model {
 
     /// Information before the first measurement: losses, biases and changes of the ratios are near 0.
     pub(crate) fn prior<F: Real>(&self) -> Prior<F> {
-        let mut information = Squares::ZERO;
+        let mut information = SquareRoot::ZERO;
         for (index, deviation) in self.deviations.iter().enumerate() {
             information.add_unknown(index, F::from_f64(1.0 / *deviation));
         }

@@ -1,6 +1,6 @@
 //! Measurements of one fit, checked, with their sensors.
 
-use crate::error::{FitError, check};
+use crate::error::{FitError, require};
 use crate::sensors::{Hint, Measurement, Measurements, Sensor};
 use crate::vector::Vector;
 
@@ -26,9 +26,9 @@ impl<'a, F, M: Measurements> Block<'a, F, M> {
         for Measurement { time, sensor, values } in measurements.clone() {
             let [first, last] = times.unwrap_or([time; 2]);
             let is_finite = time.is_finite() && values.iter().all(|x| x.is_finite());
-            check(is_finite, NAME, Some(total), "be finite")?;
-            check(time >= last, NAME, Some(total), "not be earlier than the one before")?;
-            check(sensor < sensors.len(), NAME, Some(total), "be of a sensor in the list")?;
+            require(is_finite, NAME, Some(total), "be finite")?;
+            require(time >= last, NAME, Some(total), "not be earlier than the one before")?;
+            require(sensor < sensors.len(), NAME, Some(total), "be of a sensor in the list")?;
             times = Some([first, time]);
             total += 1;
         }

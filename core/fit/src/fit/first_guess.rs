@@ -1,30 +1,27 @@
 //! First guesses of a launch from the first measurements, without iteration:
 //!
 //! 1. Measurements of the same time make an instant. The first 16 instants that tell something of the orientation are used.
-//! 2. A camera or two directions give the orientation. One direction leaves a rotation about it open. The axis leaves the rotation about it open,
-//!    and rates alone leave the whole orientation open.
+//! 2. The first of them gives the orientation, and leaves a part of it open:
+//!
+//!    | measured | open |
+//!    |---|---|
+//!    | orientation, or two directions | nothing |
+//!    | one direction | rotation about it |
+//!    | axis | rate about it |
+//!    | rates alone | orientation |
+//!
 //! 3. The angular velocity is read. Where it was not, it is the mean of the orientations' changes; a rate about the axis beyond the range may
 //!    also follow from the circle that a direction draws in the body.
 //! 4. The orientation is turned back to the first measurement. Several guesses replace what is still open.
 
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
+use crate::fit::limits::{FIRST_INSTANTS, GUESSES, MAX_INSTANTS, RANGE_FRACTION, TILTS};
 use crate::sensors::{Hint, Measurements};
 use crate::vector::{UP, Vector, add_scaled, cast, cross, dot, norm, rotation_vector, scaled, unit};
 use core::f64::consts::PI;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
-
-/// Number of instants with an orientation, a direction or the axis that a guess uses.
-pub(super) const FIRST_INSTANTS: usize = 16;
-/// Largest number of instants that are searched for them.
-const MAX_INSTANTS: usize = 1024;
-/// Number of rotations about a known direction that are tried.
-const ROTATIONS: u32 = 12;
-/// Number of rates about the axis that are tried on each side of 0.
-const SPINS: u32 = 12;
-/// Angles between the axis and the vertical that are tried, rad.
-const TILTS: [f64; 5] = [0.25, 0.75, 1.3, 2.0, 2.7];
 
 /// Quantities that the measurements of one instant determine.
 #[derive(Clone, Copy, Default)]
@@ -63,21 +60,21 @@ impl Guesses {
     /// Guess with this number, counted from 0; `None` after the last one.
     pub(super) fn get(&self, number: u32) -> Option<Estimate> {
         let Self { mut orientation, mut omega, undetermined } = *self;
-        let angle = 2.0 * PI * f64::from(number) / f64::from(ROTATIONS);
+        let angle = 2.0 * PI * f64::from(number) / f64::from(GUESSES);
         let count = match undetermined {
             Undetermined::Nothing => 1,
             Undetermined::Rotation(axis) => {
                 orientation = Orientation::exp(scaled(axis, angle)).compose(&orientation);
-                ROTATIONS
+                GUESSES
             }
             Undetermined::Spin(fastest) => {
                 let [.., axial] = &mut omega;
                 let rate = fastest * libm::exp2(-0.75 * f64::from(number / 2));
                 *axial = if number.is_multiple_of(2) { rate } else { -rate };
-                2 * SPINS
+                2 * GUESSES
             }
             Undetermined::Orientation => {
-                let tilt = *TILTS.get((number / ROTATIONS) as usize)?;
+                let tilt = *TILTS.get((number / GUESSES) as usize)?;
                 let roll = Orientation::exp([0.0, 0.0, angle]);
                 orientation = Orientation::exp([0.0, tilt, 0.0]).compose(&roll);
                 u32::MAX
@@ -258,13 +255,13 @@ fn axial_rate_from_circle<F: Real>(
     let (shortest, longest) =
         intervals.fold((f64::INFINITY, 0.0_f64), |(least, most), span| (least.min(span), most.max(span)));
     let mut step = (0.3 / longest).copysign(bound);
-    let steps = ((PI / shortest - 0.9 * bound.abs()) / step.abs()).min(2000.0) as u32;
+    let steps = ((PI / shortest - RANGE_FRACTION * bound.abs()) / step.abs()).min(2000.0) as u32;
     let better = |(rate, least): (f64, F), tried: f64| {
         let value = mismatch(tried);
         if value < least { (tried, value) } else { (rate, least) }
     };
     let unknown = F::from_f64(f64::INFINITY);
-    let rates = (0..steps).map(|count| 0.9 * bound + step * f64::from(count));
+    let rates = (0..steps).map(|count| RANGE_FRACTION * bound + step * f64::from(count));
     let mut best = rates.fold((bound, unknown), better);
     for _ in 0..HALVINGS {
         step *= 0.5;

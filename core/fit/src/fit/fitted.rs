@@ -2,11 +2,12 @@
 
 use crate::error::FitWarning;
 use crate::estimate::Estimate;
+use crate::fit::limits::SMALL_SINE;
 use crate::fit::solver::Fit;
 use crate::fit::statistics::Statistics;
 use crate::model::{Model, carried};
 use crate::sensitivity::{COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity, Tangent};
-use crate::squares::{MAX_UNKNOWNS, Squares, inner};
+use crate::square_root::{MAX_UNKNOWNS, SquareRoot, inner};
 use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, ParameterError, State, Top};
@@ -69,7 +70,7 @@ pub struct Fitted {
     /// Model of the unknowns.
     pub(super) model: Model,
     /// Covariance of the unknowns.
-    pub(super) covariance: Squares<f64>,
+    pub(super) covariance: SquareRoot<f64>,
 }
 
 impl Fitted {
@@ -90,15 +91,14 @@ impl Fitted {
             unknown_count: fit.model.count,
             model: fit.model,
             drift: None,
-            covariance: Squares::ZERO,
+            covariance: SquareRoot::ZERO,
         };
-        // with a larger limit, the covariance would lose digits of what is determined
         let turns = Tangent::along_body_axes(&fitted.launch.orientation);
-        let rows = fit.damped(0.0, 10.0).inverse_rows();
+        let rows = fit.damped(0.0).inverse_rows();
         fitted.covariance = rows.map(|row| carried(&turns, &row.map(F::to_f64))).collect();
         fitted.unobservable = unobservable(&fitted);
         if fitted.model.has_losses() && fitted.carry_to(last).is_none() {
-            fitted.warning = fitted.warning.or(Some(FitWarning::NotSettled));
+            fitted.warning = fitted.warning.or(Some(FitWarning::NotConverged));
         }
         fitted
     }
@@ -221,9 +221,6 @@ impl Fitted {
     }
 }
 
-/// Sine of an angle. A named direction this close to an undetermined one is called undetermined.
-const ALIGNED_SINE: f64 = 0.1;
-
 /// Directions of the launch that the measurements do not determine to one unit.
 ///
 /// With the covariance C in these units, a direction of variance λ counts as λ/(1 + λ), which is about 0 or 1: an eigenvalue of
@@ -239,13 +236,13 @@ fn unobservable(fitted: &Fitted) -> Unobservable {
         row
     };
     let with_noise = |deviation: f64, count: usize| {
-        let mut sum: Squares<f64> = fitted.covariance.rows().map(|row| in_units(row, count)).collect();
+        let mut sum: SquareRoot<f64> = fitted.covariance.rows().map(|row| in_units(row, count)).collect();
         (0..count).for_each(|index| sum.add_unknown(index, deviation));
         sum
     };
     let determined: f64 = with_noise(1.0, count).inverse_rows().flatten().map(|x| x * x).sum();
     let undetermined = libm::round((count as f64 - determined).max(0.0)) as usize;
-    let sum = with_noise(ALIGNED_SINE, LAUNCH_COLUMNS);
+    let sum = with_noise(SMALL_SINE, LAUNCH_COLUMNS);
     let axis = launch.orientation.axis();
     let none = [0.0; 3];
     let [yaw, roll, spin] = [[UP, none], [axis, cross(launch.omega, axis)], [none, axis]].map(|direction| {

@@ -1,32 +1,19 @@
-//! State of a fit, and its correction, pass by pass, by the method of Levenberg and Marquardt. [`Fit::settle`] repeats these steps:
+//! State of a fit, and its passes over a part of the measurements, by the method of Levenberg and Marquardt:
 //!
 //! 1. The prior information and each measurement are added to the sum of squares at the estimate that is tried.
 //! 2. An estimate with a lower sum becomes the best one, and the damping a tenth; otherwise the damping is ten times as large.
 //! 3. The damped sum of the best estimate gives its correction, and with it the next estimate.
-//! 4. It ends if that correction is small, or if the next one will be.
+//! 4. The passes end if the next correction would be small.
 
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
+use crate::fit::limits::{CONVERGED, FIRST_DAMPING, MAX_PASSES, OPEN, PART_CONVERGED};
 use crate::fit::statistics::Statistics;
 use crate::model::{MAX_SENSORS, Model, Prior};
 use crate::sensitivity::{LAUNCH_COLUMNS, Partials, Tangent, Trajectory};
 use crate::sensors::{Measurement, Measurements, Residual, Sensor};
-use crate::squares::{MAX_UNKNOWNS, Squares, unit_row};
+use crate::square_root::{MAX_UNKNOWNS, SquareRoot, unit_row};
 use toytop::scalar::Real;
-
-/// Largest size of the last correction, or of the one expected after it, of an estimate that has settled on all measurements, in standard
-/// deviations.
-const CONVERGED_SIGMA: f64 = 0.05;
-/// Largest size of such a correction on a part of the measurements, in standard deviations.
-const PARTIAL_SIGMA: f64 = 0.5;
-/// Damping at the beginning.
-const FIRST_DAMPING: f64 = 1e-3;
-/// Largest number of passes over one part of the measurements.
-const MAX_PASSES: u32 = 30;
-/// Least sine of the tilt at which a fit may end without another pass.
-const MIN_TILT: f64 = 0.1;
-/// Largest change of the sum of squares that the error of the integration causes.
-const COST_ERROR: f64 = 0.05;
 
 /// Fit of a launch to measurements.
 ///
@@ -45,10 +32,6 @@ pub struct Fit<'a, F = f64> {
     /// Pass of the estimate that is tried.
     current: Pass<F>,
     trajectory: Trajectory<F>,
-    /// Part of the information that is added to it, by Marquardt.
-    damping: f64,
-    /// Size of the last correction from the same measurements, in standard deviations.
-    last_change: Option<f64>,
 }
 
 /// Estimate, and the least-squares problem of its corrections.
@@ -56,7 +39,7 @@ pub struct Fit<'a, F = f64> {
 pub(super) struct Pass<F> {
     pub(super) estimate: Estimate,
     /// Rows of the prior and of the measurements.
-    pub(super) information: Squares<F>,
+    pub(super) information: SquareRoot<F>,
     pub(super) statistics: Statistics,
 }
 
@@ -102,7 +85,7 @@ impl<'a, F: Real> Fit<'a, F> {
     pub(super) fn with_model(sensors: &'a [&'a dyn Sensor<F>], model: Model, huber: f64) -> Self {
         let prior = model.prior();
         let Prior { estimate, .. } = prior;
-        let pass = Pass { estimate, information: Squares::ZERO, statistics: Statistics::default() };
+        let pass = Pass { estimate, information: SquareRoot::ZERO, statistics: Statistics::default() };
         Self {
             sensors,
             model,
@@ -111,8 +94,6 @@ impl<'a, F: Real> Fit<'a, F> {
             best: pass,
             current: pass,
             trajectory: model.trajectory(&estimate),
-            damping: FIRST_DAMPING,
-            last_change: None,
         }
     }
 
@@ -126,26 +107,40 @@ impl<'a, F: Real> Fit<'a, F> {
     #[inline(never)] // stack
     pub(super) fn start_from(&mut self, estimate: &Estimate) {
         let Pass { information, statistics, .. } = &mut self.best;
-        *information = Squares::ZERO;
+        *information = SquareRoot::ZERO;
         *statistics = Statistics::default();
         self.best.estimate = Estimate { orientation: estimate.orientation.normalised(), ..*estimate };
-        self.damping = FIRST_DAMPING;
     }
 
-    /// Passes over the first `count` measurements until the estimate does not change any more. Returns whether it settled.
+    /// Passes over the first `count` measurements until the next correction would be small. Returns whether it would.
     #[inline(never)] // stack
-    pub(super) fn settle(&mut self, block: &Block<F, impl Measurements>, count: usize) -> bool {
-        let settled = if count < block.total { PARTIAL_SIGMA } else { CONVERGED_SIGMA };
+    pub(super) fn converge(&mut self, block: &Block<F, impl Measurements>, count: usize) -> bool {
+        let limit = if count < block.total { PART_CONVERGED } else { CONVERGED };
         self.best.statistics.cost = f64::INFINITY;
-        // damping left from other measurements would end the fit after one tiny correction
-        self.damping = self.damping.min(FIRST_DAMPING);
-        self.last_change = None;
         self.current.estimate = self.best.estimate;
+        let mut damping = FIRST_DAMPING;
+        let mut last_size = 0.0;
         for _ in 0..MAX_PASSES {
             self.pass(block, count);
-            if let Some(done) = self.correct(settled) {
-                return done;
+            let rise = self.current.statistics.cost - self.best.statistics.cost;
+            let is_better = rise <= 0.0;
+            if is_better {
+                self.best = self.current;
+                damping *= 0.1;
+            } else if rise < CONVERGED {
+                return true;
+            } else {
+                damping = (10.0 * damping).max(FIRST_DAMPING);
             }
+            let Some((next, size)) = self.corrected(damping) else { return false };
+            // after a better pass, the next correction is smaller by the same factor as this one, or by more
+            let next_size = if is_better { size * (size / last_size).min(1.0) } else { size };
+            if next_size < limit {
+                self.end_with(next, size);
+                return true;
+            }
+            self.current.estimate = next;
+            last_size = size;
         }
         false
     }
@@ -185,60 +180,30 @@ impl<'a, F: Real> Fit<'a, F> {
         prior.information.at(&change).to_f64()
     }
 
-    /// Corrects the estimate after a pass. `None` where there must be another pass; otherwise whether it settled.
+    /// Best estimate after its correction, and the size of the correction in standard deviations. `None` where that is not finite.
     #[inline(never)] // stack
-    fn correct(&mut self, settled: f64) -> Option<bool> {
-        let previous = self.best.statistics.cost;
-        let cost = self.current.statistics.cost;
-        let improved = cost <= previous && cost.is_finite();
-        if !improved && cost - previous < COST_ERROR {
-            return Some(true);
-        }
-        if improved {
-            // a bad fit that hardly improves
-            let statistics = &self.current.statistics;
-            let stuck = statistics.outliers > statistics.used / 5 + 10 && previous - cost < 1e-3 * previous;
-            self.best = self.current;
-            self.damping *= 0.1;
-            if stuck {
-                return Some(false);
-            }
-        } else {
-            self.damping = (10.0 * self.damping).max(FIRST_DAMPING);
-            if self.damping > 1e9 || !self.best.statistics.cost.is_finite() {
-                return Some(false);
-            }
-        }
-        let change = self.damped(self.damping, 1000.0).solution();
-        let best = &mut self.best;
-        let next = best.estimate.corrected(&change.map(F::to_f64));
-        let size = best.information.at(&change).sqrt().to_f64();
-        if !size.is_finite() {
-            return Some(false);
-        }
-        let last = self.last_change.replace(size).filter(|_| improved);
-        // near the vertical the derivatives themselves depend on the launch
-        let [x, y, _] = next.orientation.axis();
-        let is_tilted = x * x + y * y > MIN_TILT * MIN_TILT;
-        // the next correction is smaller by the same factor, or by more
-        let near = is_tilted && last.is_some_and(|last| size * size < settled * last);
-        if size < settled || near {
-            // the information is about changes along the body axes, and does not turn with the correction
-            best.information.set_solution(&[F::ZERO; MAX_UNKNOWNS]);
-            best.estimate = next;
-            // the correction lowers the sum of squares by this amount, as far as the equations are linear
-            best.statistics.cost -= size * size;
-            best.statistics.chi_squared = (best.statistics.chi_squared - size * size).max(0.0);
-            return Some(true);
-        }
-        self.current.estimate = next;
-        None
+    fn corrected(&mut self, damping: f64) -> Option<(Estimate, f64)> {
+        let change = self.damped(damping).solution();
+        let Pass { estimate, information, statistics } = &self.best;
+        let size = information.at(&change).sqrt().to_f64();
+        let is_finite = size.is_finite() && statistics.cost.is_finite();
+        is_finite.then(|| (estimate.corrected(&change.map(F::to_f64)), size))
+    }
+
+    /// Makes the last correction. It lowers the sum of squares by the square of its size, as far as the equations are linear.
+    fn end_with(&mut self, corrected: Estimate, size: f64) {
+        let Pass { estimate, information, statistics } = &mut self.best;
+        // the information is about changes along the body axes, and does not turn with the correction
+        information.set_solution(&[F::ZERO; MAX_UNKNOWNS]);
+        *estimate = corrected;
+        statistics.cost -= size * size;
+        statistics.chi_squared = (statistics.chi_squared - size * size).max(0.0);
     }
 
     /// Information of the best pass plus the damping of Marquardt: along each unknown, `damping` times its own information, and a prior of
-    /// `limit` units. It overwrites the information of the current pass. Damping is along the fixed axes, because yaw may be unobservable.
+    /// ten units. It overwrites the information of the current pass. Damping is along the fixed axes, because yaw may be unobservable.
     #[inline(never)] // stack
-    pub(super) fn damped(&mut self, damping: f64, limit: f64) -> &Squares<F> {
+    pub(super) fn damped(&mut self, damping: f64) -> &SquareRoot<F> {
         let Self { model, best: Pass { estimate, information, .. }, current, .. } = self;
         let damped = &mut current.information;
         damped.clone_from(information);
@@ -248,7 +213,7 @@ impl<'a, F: Real> Fit<'a, F> {
             if let Some(along) = launch.iter().take(LAUNCH_COLUMNS).nth(index) {
                 direction.iter_mut().zip(along.components()).for_each(|(slot, x)| *slot = x);
             }
-            let least = F::from_f64(1.0 / (limit * unit));
+            let least = F::from_f64(1.0 / (OPEN * unit));
             let square = information.at(&direction) * F::from_f64(damping);
             let weight = (square + least.squared()).sqrt();
             damped.add(direction.map(|x| weight * x), F::ZERO);
@@ -258,12 +223,13 @@ impl<'a, F: Real> Fit<'a, F> {
 
     /// Sum of squares of another launch, with the biases that fit it best.
     pub(super) fn cost_of(&mut self, launch: Estimate, block: &Block<F, impl Measurements>) -> f64 {
+        /// Factor that keeps an unknown of the motion as it is.
+        const HELD: f64 = 1e9;
         self.current.estimate = launch;
         self.pass(block, usize::MAX);
         let Pass { estimate, information, .. } = &mut self.current;
-        for index in 0..self.model.count {
-            let factor = if index < self.model.motion_count { 1e9 } else { 1e-6 };
-            information.add_unknown(index, F::from_f64(factor));
+        for index in 0..self.model.motion_count {
+            information.add_unknown(index, F::from_f64(HELD));
         }
         *estimate = estimate.corrected(&information.solution().map(F::to_f64));
         self.pass(block, usize::MAX);

@@ -1,13 +1,7 @@
 //! Statistics of the residuals of a fit.
 
+use crate::fit::limits::{FEW_OUTLIERS, GROSS_SIGMA, GROSS_WEIGHT, MAX_PRIOR, MISFIT_SIGMA, OUTLIER_PART};
 use toytop::scalar::Real;
-
-/// Largest excess of a sum of squares that noise explains, in its standard deviations.
-const MISFIT_SIGMA: f64 = 5.0;
-/// Residual of a gross error, in standard deviations.
-const GROSS_SIGMA: f64 = 10.0;
-/// Largest sum of squares of the differences from prior values. A fit has at most 16 of them: mean 16, standard deviation 6.
-const MAX_PRIOR: f64 = 60.0;
 
 /// Residuals of a fit.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,8 +20,8 @@ pub struct Statistics {
     pub prior: f64,
     /// Sum of squares in which an outlier counts linearly; infinite where the motion cannot be followed.
     pub(super) cost: f64,
-    /// Number of residuals beyond 10 standard deviations.
-    gross: u32,
+    /// Number of outliers, in which one beyond ten standard deviations counts as four.
+    weighted_outliers: u32,
     /// Largest residual of a component that is no outlier.
     huber: f64,
     /// Whether the readings of one of the sensors contradict the motion.
@@ -54,7 +48,7 @@ impl Statistics {
             return F::ONE;
         }
         self.outliers += 1;
-        self.gross += u32::from(size > F::from_f64(GROSS_SIGMA));
+        self.weighted_outliers += if size > F::from_f64(GROSS_SIGMA) { GROSS_WEIGHT } else { 1 };
         (huber / size).sqrt()
     }
 
@@ -64,7 +58,7 @@ impl Statistics {
         self.used += sensor.used;
         self.unused += sensor.unused;
         self.outliers += sensor.outliers;
-        self.gross += sensor.gross;
+        self.weighted_outliers += sensor.weighted_outliers;
         self.chi_squared += sensor.chi_squared;
         self.cost += sensor.cost;
         self.largest = self.largest.max(sensor.largest);
@@ -78,20 +72,32 @@ impl Statistics {
         self.chi_squared / freedom.max(1.0)
     }
 
-    /// Whether the residuals contradict the noise. One of these is then true of a sensor, or of all sensors together:
-    ///
-    /// * the outliers exceed a fifth of the residuals by more than three;
-    /// * the residuals beyond ten standard deviations exceed a twentieth by more than three;
-    /// * the sum of squares of the others is five of its standard deviations above its mean;
-    /// * the differences from the prior values are too large.
+    /// Whether the residuals contradict the noise, by the rules of the [check](crate::partials#check).
     pub(super) fn is_misfit(&self, unknowns: usize) -> bool {
         let outliers = f64::from(self.outliers);
         let limited = if self.outliers > 0 { self.huber * self.huber * outliers } else { 0.0 };
         let freedom = (f64::from(self.used) - outliers - unknowns as f64).max(1.0);
         self.contradicted
             || self.prior > MAX_PRIOR
-            || self.outliers > self.used / 5 + 3
-            || self.gross > self.used / 20 + 3
+            || self.weighted_outliers > self.used / OUTLIER_PART + FEW_OUTLIERS
             || self.chi_squared - limited > freedom + MISFIT_SIGMA * libm::sqrt(2.0 * freedom)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_twentieth_of_gross_errors_is_as_bad_as_a_fifth_of_outliers() {
+        let is_misfit = |outliers: u32, size: f64| {
+            let mut statistics = Statistics::new(3.0, 0.0);
+            for index in 0..100 {
+                statistics.add(if index < outliers { size } else { 1.0 });
+            }
+            statistics.is_misfit(0)
+        };
+        assert_eq!([23, 24].map(|count| is_misfit(count, 5.0)), [false, true]);
+        assert_eq!([5, 6].map(|count| is_misfit(count, 20.0)), [false, true]);
     }
 }

@@ -1,10 +1,11 @@
-//! Sum of squares of equations for the unknowns: Σ (row · x - value)² is |R x - z|² and a constant, with a lower triangle R.
+//! Square root of the information about the unknowns, or of their covariance.
 //!
-//! One row at a time is added by Givens rotations, and none is kept. The last unknowns, the biases, are eliminated first:
+//! An equation row · x = value for the unknowns x has the square (row · x - value)². The sum of such squares is |R x - z|² and a constant,
+//! with a lower triangle R. A Givens rotation adds one row at a time, and no row is kept. The last unknowns, the biases, are eliminated first:
 //! a row has one of them at most, and leaves the rows of the others as they are.
 //!
-//! The information RᵀR about the unknowns has a row for each measurement, in units of its noise. A covariance has the same form, with a row
-//! for each independent error of the unknowns, and no values.
+//! The information RᵀR has a row for each measurement, in units of its noise. A covariance RᵀR has a row for each independent error of the
+//! unknowns, and no values.
 
 use core::ops::Range;
 use toytop::scalar::Real;
@@ -25,9 +26,9 @@ pub(crate) fn inner<F: Real>(row: &[F], with: &[F]) -> F {
     row.iter().zip(with).fold(F::ZERO, |sum, (r, x)| sum + *r * *x)
 }
 
-/// Triangle R and right side z.
+/// Square root R of a symmetric matrix RᵀR, a lower triangle, with a right side z.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Squares<F> {
+pub(crate) struct SquareRoot<F> {
     /// Rows of R up to the diagonal, one after another.
     entries: [F; MAX_UNKNOWNS * (MAX_UNKNOWNS + 1) / 2],
     right_side: Unknowns<F>,
@@ -39,7 +40,7 @@ fn places(row: usize) -> Range<usize> {
     start..start + row + 1
 }
 
-impl<F: Real> Squares<F> {
+impl<F: Real> SquareRoot<F> {
     /// Sum without rows.
     pub(crate) const ZERO: Self = Self { entries: [F::ZERO; _], right_side: [F::ZERO; _] };
 
@@ -126,7 +127,7 @@ impl<F: Real> Squares<F> {
     }
 }
 
-impl<F: Real> FromIterator<Unknowns<F>> for Squares<F> {
+impl<F: Real> FromIterator<Unknowns<F>> for SquareRoot<F> {
     /// Sum of the squares of rows without values.
     fn from_iter<I: IntoIterator<Item = Unknowns<F>>>(rows: I) -> Self {
         let mut sum = Self::ZERO;
@@ -147,17 +148,17 @@ mod tests {
         ([0.0, 2.0, 5.0], 1.0),
     ];
 
-    fn squares() -> Squares<f64> {
-        let mut squares = Squares::ZERO;
+    fn root() -> SquareRoot<f64> {
+        let mut root = SquareRoot::ZERO;
         for ([x, y, z], value) in ROWS {
-            squares.add(core::array::from_fn(|k| [x, y, z].get(k).copied().unwrap_or(0.0)), value);
+            root.add(core::array::from_fn(|k| [x, y, z].get(k).copied().unwrap_or(0.0)), value);
         }
-        squares
+        root
     }
 
     #[test]
     fn the_solution_is_that_of_the_normal_equations() {
-        let [x, y, z, ..] = squares().solution();
+        let [x, y, z, ..] = root().solution();
         for k in 0..3 {
             let excess = |([a, b, c], value): ([f64; 3], f64)| a * x + b * y + c * z - value;
             let gradient: f64 = ROWS.map(|one| one.0[k] * excess(one)).iter().sum();
@@ -168,10 +169,10 @@ mod tests {
     #[test]
     fn the_inverse_rows_have_the_inverse_matrix() {
         let normal = |i: usize, j: usize| ROWS.iter().map(|(row, _)| row[i] * row[j]).sum::<f64>();
-        let inverse: Squares<f64> = squares().inverse_rows().collect();
+        let inverse: SquareRoot<f64> = root().inverse_rows().collect();
         for i in 0..3 {
             for j in 0..3 {
-                assert!((squares().entry(i, j) - normal(i, j)).abs() < 1e-13);
+                assert!((root().entry(i, j) - normal(i, j)).abs() < 1e-13);
                 let product: f64 = (0..3).map(|k| inverse.entry(i, k) * normal(k, j)).sum();
                 assert!((product - f64::from(u8::from(i == j))).abs() < 1e-13, "{product}");
             }
