@@ -2,7 +2,6 @@
 
 use crate::sensitivity::coefficients::Coefficients;
 use crate::sensitivity::equations::{Acceleration, Equations, vertical_cross};
-use crate::sensitivity::sixth_order::sixth_order_step;
 use crate::sensitivity::state::{BodyState, COLUMNS, Tangent};
 use crate::vector::{Vector, about_third_axis, add_all, add_scaled, coordinates, cross, scaled};
 use toytop::scalar::{Float, Real};
@@ -27,31 +26,6 @@ impl<F: Float> Partials<F> {
             Some(tangent) if column < self.equations.columns => image(tangent, self.equations.change(column)),
             _ => [F::ZERO; 3],
         })
-    }
-
-    /// Moves the state and its derivatives by a step of either sign.
-    pub(crate) fn step(&mut self, step: F) {
-        let Self { state, tangents, equations } = self;
-        let mut moved = (*state, *tangents);
-        sixth_order_step(
-            &mut moved,
-            step,
-            |(state, tangents), (rate, rates)| {
-                let at = Acceleration::new(&equations.coefficients, state);
-                *rate = at.rate;
-                let slots = rates.iter_mut().zip(tangents).take(equations.columns);
-                for (column, (slot, tangent)) in slots.enumerate() {
-                    *slot = equations.tangent_rate(&at, tangent, equations.change(column));
-                }
-            },
-            |(state, tangents), (rate, rates), f| {
-                state.add(rate, f);
-                for (tangent, rate) in tangents.iter_mut().zip(rates).take(equations.columns) {
-                    *tangent = tangent.plus(rate, f);
-                }
-            },
-        );
-        (*state, *tangents) = moved;
     }
 
     /// Symmetry axis r.

@@ -1,5 +1,7 @@
 //! Step of Butcher's Runge-Kutta method of order 6, with seven stages.
 
+use crate::sensitivity::equations::{Acceleration, Equations};
+use crate::sensitivity::state::{BodyState, Tangent};
 use toytop::scalar::Float;
 
 /// Weights of the earlier rates in the state of each later stage, and in the result.
@@ -13,23 +15,33 @@ const WEIGHTS: [&[f64]; 7] = [
     &[13.0 / 200.0, 0.0, 11.0 / 40.0, 11.0 / 40.0, 4.0 / 25.0, 4.0 / 25.0, 13.0 / 200.0],
 ];
 
-/// Moves a state by a step of either sign.
-///
-/// * `set_rate`: sets the rate of a state
-/// * `add`: adds a factor times a rate to a state
-pub(crate) fn sixth_order_step<F: Float, S: Copy>(
-    state: &mut S,
-    step: F,
-    set_rate: impl Fn(&S, &mut S),
-    add: impl Fn(&mut S, &S, F),
-) {
-    let start = *state;
-    let mut rates = [start; WEIGHTS.len()];
-    for (index, weights) in WEIGHTS.iter().enumerate() {
-        rates.iter_mut().skip(index).take(1).for_each(|rate| set_rate(state, rate));
-        *state = start;
-        for (rate, weight) in rates.iter().zip(*weights).filter(|(_, weight)| **weight != 0.0) {
-            add(state, rate, step * F::from_f64(*weight));
+impl<F: Float> Equations<F> {
+    /// Moves a state and its tangents by a step of either sign.
+    pub(crate) fn step<const N: usize>(
+        &self,
+        state: &mut BodyState<F>,
+        tangents: &mut [Tangent<F>; N],
+        step: F,
+    ) {
+        let start = (*state, *tangents);
+        let mut rates = [start; WEIGHTS.len()];
+        for (index, weights) in WEIGHTS.iter().enumerate() {
+            if let Some((rate, tangent_rates)) = rates.get_mut(index) {
+                let at = Acceleration::new(&self.coefficients, state);
+                *rate = at.rate;
+                let slots = tangent_rates.iter_mut().zip(tangents.iter()).take(self.columns);
+                for (column, (slot, tangent)) in slots.enumerate() {
+                    *slot = self.tangent_rate(&at, tangent, self.change(column));
+                }
+            }
+            (*state, *tangents) = start;
+            for ((rate, rates), weight) in rates.iter().zip(*weights).filter(|(_, weight)| **weight != 0.0) {
+                let f = step * F::from_f64(*weight);
+                state.add(rate, f);
+                for (tangent, rate) in tangents.iter_mut().zip(rates).take(self.columns) {
+                    *tangent = tangent.plus(rate, f);
+                }
+            }
         }
     }
 }

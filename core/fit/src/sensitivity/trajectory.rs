@@ -1,9 +1,8 @@
 //! State and derivatives of a motion, moved from one time to the next.
 
 use crate::sensitivity::coefficients::Coefficients;
-use crate::sensitivity::equations::{Acceleration, Equations};
+use crate::sensitivity::equations::Equations;
 use crate::sensitivity::partials::Partials;
-use crate::sensitivity::sixth_order::sixth_order_step;
 use crate::sensitivity::state::{BodyState, COLUMNS, Tangent};
 use crate::vector::about_third_axis;
 use toytop::Phase;
@@ -16,25 +15,29 @@ const LARGEST: f64 = 1e300;
 
 /// Motion of a launch with its derivatives.
 ///
-/// The derivatives are integrated in the scalar `F`. The state is integrated in `f64` up to a node, so that its errors do not add up. Each
-/// time is reached from the node by one step in `F`. The node moves to the last time where the next one is beyond the longest step.
+/// The derivatives are integrated in the scalar `F`. The state is integrated in `f64` from node to node, so that its errors do not add up.
+/// Each time is reached from the node by one step in `F`. The node moves to the last time where the next one is beyond the longest step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Trajectory<F> {
     /// State and derivatives at the time of the last move.
     pub(crate) now: Partials<F>,
     /// Time of `now`.
     time: f64,
-    /// Time of the node.
-    node: f64,
-    /// State at the node, without the rotation about the axis since the launch.
-    state: BodyState<f64>,
-    /// Derivatives at the node.
-    tangents: [Tangent<F>; COLUMNS],
-    /// Coefficients, and the rate about the axis at the launch, in `f64`.
+    node: Node<F>,
+    /// Coefficients of the equations of the state at a node.
     coefficients: Coefficients,
+    /// Rate about the axis at the launch.
     spin: f64,
     /// Longest step of the integration.
     longest_step: f64,
+}
+
+/// Time with its state, without the rotation about the axis since the launch, and with its derivatives.
+#[derive(Clone, Copy, Debug)]
+struct Node<F> {
+    time: f64,
+    state: BodyState<f64>,
+    tangents: [Tangent<F>; COLUMNS],
 }
 
 impl<F: Real> Trajectory<F> {
@@ -51,9 +54,7 @@ impl<F: Real> Trajectory<F> {
         Self {
             now: Partials { state: state.cast(), tangents, equations: equations.cast() },
             time: 0.0,
-            node: 0.0,
-            state: *state,
-            tangents,
+            node: Node { time: 0.0, state: *state, tangents },
             coefficients: equations.coefficients,
             spin: state.spin,
             longest_step: longest_step / equations.frequency(state),
@@ -72,8 +73,8 @@ impl<F: Real> Trajectory<F> {
             return None;
         }
         while !self.reaches(t, 1.0) {
-            if self.time.to_bits() == self.node.to_bits() {
-                self.step_to(self.node + self.longest_step.copysign(t - self.node));
+            if self.time.to_bits() == self.node.time.to_bits() {
+                self.step_to(self.node.time + self.longest_step.copysign(t - self.node.time));
             }
             self.move_node();
             if !self.is_bounded() {
@@ -94,24 +95,26 @@ impl<F: Real> Trajectory<F> {
 
     /// Whether a time is within this number of steps from the node.
     fn reaches(&self, t: f64, steps: f64) -> bool {
-        (t - self.node).abs() <= steps * self.longest_step
+        (t - self.node.time).abs() <= steps * self.longest_step
     }
 
     /// Moves from the node to a time.
     fn step_to(&mut self, t: f64) {
-        (self.now.state, self.now.tangents) = (self.state.cast(), self.tangents);
-        self.now.step(F::from_f64(t - self.node));
+        let Node { time, state, tangents } = &self.node;
+        let Partials { state: now, tangents: tangents_now, equations } = &mut self.now;
+        (*now, *tangents_now) = (state.cast(), *tangents);
+        equations.step(now, tangents_now, F::from_f64(t - time));
         self.time = t;
     }
 
     /// Moves the node to the last time.
     #[inline(never)] // stack
     fn move_node(&mut self) {
-        let set_rate = |state: &BodyState<f64>, rate: &mut BodyState<f64>| {
-            *rate = Acceleration::new(&self.coefficients, state).rate;
-        };
-        sixth_order_step(&mut self.state, self.time - self.node, set_rate, BodyState::add);
-        (self.tangents, self.node) = (self.now.tangents, self.time);
+        let Node { time, state, tangents } = &mut self.node;
+        let equations =
+            Equations { coefficients: self.coefficients, changes: Default::default(), columns: 0 };
+        equations.step(state, &mut [], self.time - *time);
+        (*tangents, *time) = (self.now.tangents, self.time);
     }
 
     /// Angle by which the body has turned about its axis at a time.
@@ -127,9 +130,10 @@ impl<F: Real> Trajectory<F> {
 impl Trajectory<f64> {
     /// Launch with other tangents and another angle of the body about its axis.
     pub(crate) fn relaunched(mut self, roll: Phase, tangents: [Tangent<f64>; COLUMNS]) -> Self {
-        self.state.orientation = self.state.orientation.compose(&about_third_axis(roll));
-        self.tangents = tangents;
-        (self.now.state, self.now.tangents) = (self.state, tangents);
+        let orientation = &mut self.node.state.orientation;
+        *orientation = orientation.compose(&about_third_axis(roll));
+        self.node.tangents = tangents;
+        (self.now.state, self.now.tangents) = (self.node.state, tangents);
         self
     }
 
