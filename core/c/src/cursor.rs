@@ -17,31 +17,9 @@ TOYTOP_CURSOR_SIZE = 64;
 toytop_cursor[8]
 }
 
-/// Cursor with the identity of its table.
-#[repr(C)]
-struct TableCursor<R> {
-    table: u32,
-    cursor: Cursor<R>,
-}
-
-impl<R> Opaque for TableCursor<R> {
+impl<R> Opaque for OfTable<Cursor<R>> {
+    /// The same for every scalar, as the layout is.
     const TAG: u32 = 0x746f_7063;
-}
-
-/// Cursor whose first sample is at tick `first`.
-///
-/// # Safety
-/// See [`store_from`].
-unsafe fn store_cursor<R: TableScalar>(
-    table: *const u8,
-    first: i64,
-    place: *mut toytop_cursor,
-) -> Result<(), Refusal> {
-    // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe {
-        let CheckedTable { table, identity, .. } = table_at::<R>(table)?;
-        store(place, TableCursor { table: identity, cursor: table.cursor(first) })
-    }
 }
 
 /// Gives the next sample of a cursor to `take`. If that refuses, the cursor stays.
@@ -54,12 +32,11 @@ unsafe fn advance<R: TableScalar>(
     take: impl FnOnce(Sample<'static, R>) -> Result<(), Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    let (CheckedTable { table, identity, .. }, mut kept): (_, TableCursor<R>) =
-        unsafe { (table_at::<R>(table)?, load(place)?) };
-    if kept.table != identity {
-        return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
-    }
-    take(kept.cursor.next(table))?;
+    let (checked, mut kept): (_, OfTable<Cursor<R>>) = unsafe { (table_at::<R>(table)?, load(place)?) };
+    kept.belongs_to(&checked)?;
+    let mut cursor = kept.value;
+    take(cursor.next(checked.table))?;
+    kept.value = cursor;
     // SAFETY: the caller guarantees a valid pointer.
     unsafe { store(place, kept) }
 }
@@ -94,7 +71,7 @@ unsafe fn next_quaternion<R: TableScalar>(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn toytop_cursor_tick(place: *const toytop_cursor, tick: *mut i64) -> toytop_status {
     // SAFETY: the caller guarantees valid pointers. The layout is the same for every scalar.
-    unsafe { load(place).and_then(|kept: TableCursor<f32>| write(tick, kept.cursor.tick())) }.into()
+    unsafe { load(place).and_then(|OfTable::<Cursor<f32>> { value, .. }| write(tick, value.tick())) }.into()
 }
 
 macro_rules! functions {
@@ -103,7 +80,7 @@ macro_rules! functions {
 reader! {
 /// Cursor whose first sample is at tick `first`.
 [<toytop_ $name _cursor>](table: $table; first: i64, cursor: *mut toytop_cursor)
-    store_cursor::<$scalar>
+    |table, first, place| store_from::<$scalar, _, _>(table, place, |table| Ok(table.cursor(first)))
 }
 
 reader! {

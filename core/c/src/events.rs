@@ -16,7 +16,7 @@ TOYTOP_EVENTS_SIZE = 384;
 toytop_events[48]
 }
 
-impl<R: TableScalar> Opaque for Referring<Events<'static, R>> {
+impl<R: TableScalar> Opaque for OfTable<Events<'static, R>> {
     const TAG: u32 = 0x746f_6500 | R::CODE;
 }
 
@@ -42,9 +42,11 @@ unsafe fn next_event<R: TableScalar>(
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let mut kept: Referring<Events<'static, R>> = load_of::<R, _, _>(place)?;
-        let Event { tick, fraction, upward } = kept.value.next().ok_or(toytop_status::TOYTOP_NONE)?;
+        let mut kept: OfTable<Events<'static, R>> = load_of::<R, _, _>(place)?;
+        let mut events = kept.value;
+        let Event { tick, fraction, upward } = events.next().ok_or(toytop_status::TOYTOP_NONE)?;
         write(event, toytop_event { tick, fraction, upward: upward.into() })?;
+        kept.value = events;
         store(place, kept)
     }
 }

@@ -17,7 +17,7 @@ TOYTOP_SAMPLE_SIZE = 112;
 toytop_sample[14]
 }
 
-impl<R: TableScalar> Opaque for Referring<Sample<'static, R>> {
+impl<R: TableScalar> Opaque for OfTable<Sample<'static, R>> {
     const TAG: u32 = 0x746f_7300 | R::CODE;
 }
 
@@ -32,10 +32,7 @@ unsafe fn write_quantity<R: TableScalar, T>(
     quantity: impl FnOnce(Sample<'static, R>) -> Result<T, Refusal>,
 ) -> Result<(), Refusal> {
     // SAFETY: the caller guarantees valid pointers and a valid table.
-    unsafe {
-        let Referring { value: sample, .. } = load_of::<R, _, _>(from)?;
-        write(place, quantity(sample)?)
-    }
+    unsafe { write(place, quantity(load_of::<R, _, _>(from)?.value)?) }
 }
 
 /// Sample at a time.

@@ -60,9 +60,8 @@ static SET_UPS: AtomicU16 = AtomicU16::new(0);
 /// Table whose set-up has succeeded.
 pub(crate) struct CheckedTable<'a, R: TableScalar> {
     pub(crate) table: &'a Table<R>,
-    pub(crate) address: *const u8,
-    /// Mixture of scalar, generation and address, which a cursor and a sample of this table carry.
-    pub(crate) identity: u32,
+    /// Mixture of scalar, generation and address, which a cursor, a sample and events of this table carry.
+    identity: u32,
 }
 
 /// Memory of the smallest table.
@@ -125,32 +124,41 @@ pub(crate) unsafe fn table_at<'a, R: TableScalar>(
     let table = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
     // by an odd factor, so that tables beside each other differ at any counts
     let identity = (tag << 16 | u32::from(generation)) ^ (address.addr() as u32).wrapping_mul(0x9e37_79b1);
-    Ok(CheckedTable { table, address, identity })
+    Ok(CheckedTable { table, identity })
 }
 
-/// Value that refers to a table, as C keeps it: with the address and the identity of the table.
-pub(crate) struct Referring<T> {
-    pub(crate) value: T,
-    address: *const u8,
+/// Value that belongs to a table, as C keeps it: with the address and the identity of the table. It is packed, because C has 64 bytes for a
+/// cursor.
+#[repr(C, packed(4))]
+pub(crate) struct OfTable<T> {
     identity: u32,
+    address: *const u8,
+    pub(crate) value: T,
 }
 
-/// Keeps a value that refers to a table in memory of the caller.
+impl<T> OfTable<T> {
+    /// Refuses the value unless it belongs to this set-up of the table.
+    pub(crate) fn belongs_to<R: TableScalar>(&self, table: &CheckedTable<R>) -> Result<(), Refusal> {
+        if self.identity == table.identity { Ok(()) } else { Err(toytop_status::TOYTOP_NOT_SET_UP.into()) }
+    }
+}
+
+/// Keeps a value that belongs to a table in memory of the caller.
 ///
 /// # Safety
 /// The pointers are null or valid, and the table stays as long as the value is used.
 pub(crate) unsafe fn store_from<R: TableScalar, P, T>(
-    table: *const u8,
+    address: *const u8,
     place: *mut P,
     value: impl FnOnce(&'static Table<R>) -> Result<T, Refusal>,
 ) -> Result<(), Refusal>
 where
-    Referring<T>: Opaque,
+    OfTable<T>: Opaque,
 {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let CheckedTable { table, address, identity } = table_at::<R>(table)?;
-        store(place, Referring { value: value(table)?, address, identity })
+        let CheckedTable { table, identity } = table_at::<R>(address)?;
+        store(place, OfTable { identity, address, value: value(table)? })
     }
 }
 
@@ -158,18 +166,15 @@ where
 ///
 /// # Safety
 /// The pointer is null or valid, and the memory of the table is still there.
-pub(crate) unsafe fn load_of<R: TableScalar, P, T>(place: *const P) -> Result<Referring<T>, Refusal>
+pub(crate) unsafe fn load_of<R: TableScalar, P, T>(place: *const P) -> Result<OfTable<T>, Refusal>
 where
-    Referring<T>: Opaque,
+    OfTable<T>: Opaque,
 {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let kept: Referring<T> = load(place)?;
-        if table_at::<R>(kept.address)?.identity == kept.identity {
-            Ok(kept)
-        } else {
-            Err(toytop_status::TOYTOP_NOT_SET_UP.into())
-        }
+        let kept: OfTable<T> = load(place)?;
+        kept.belongs_to(&table_at::<R>(kept.address)?)?;
+        Ok(kept)
     }
 }
 
