@@ -81,7 +81,7 @@ impl Weierstrass {
         self.lattice.half_periods.map(Float::to_f64)
     }
 
-    /// Quasi-periods η = ζ(ω) and η'/i, where η' = ζ(ω'); Legendre's relation is η ω' - η' ω = iπ/2.
+    /// Quasi-periods ζ(ω) and ζ(ω')/i; Legendre's relation is ζ(ω) ω' - ζ(ω') ω = iπ/2.
     #[must_use]
     pub fn quasi_periods(&self) -> [f64; 2] {
         self.lattice.quasi_periods().map(Float::to_f64)
