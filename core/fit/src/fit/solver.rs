@@ -1,7 +1,7 @@
 //! State of a fit, and its passes over a part of the measurements, by the method of Levenberg and Marquardt:
 //!
 //! 1. The prior information and each measurement are added to the sum of squares at the estimate that is tried.
-//! 2. An estimate with a lower sum becomes the best one, and the damping a tenth; otherwise the damping is ten times as large.
+//! 2. An estimate with a lower sum becomes the best one, and the damping a tenth. Otherwise the damping is ten times as large.
 //! 3. The damped sum of the best estimate gives its correction, and with it the next estimate.
 //! 4. The passes end if the next correction would be small.
 
@@ -32,6 +32,8 @@ pub struct Fit<'a, F = f64> {
     /// Pass of the estimate that is tried.
     current: Pass<F>,
     trajectory: Trajectory<F>,
+    /// Part of the information that is added to it, by Marquardt.
+    damping: f64,
 }
 
 /// Estimate, and the least-squares problem of its corrections.
@@ -94,6 +96,7 @@ impl<'a, F: Real> Fit<'a, F> {
             best: pass,
             current: pass,
             trajectory: model.trajectory(&estimate),
+            damping: FIRST_DAMPING,
         }
     }
 
@@ -110,6 +113,7 @@ impl<'a, F: Real> Fit<'a, F> {
         *information = SquareRoot::ZERO;
         *statistics = Statistics::default();
         self.best.estimate = Estimate { orientation: estimate.orientation.normalised(), ..*estimate };
+        self.damping = FIRST_DAMPING;
     }
 
     /// Passes over the first `count` measurements until the next correction would be small. Returns whether it would.
@@ -118,7 +122,8 @@ impl<'a, F: Real> Fit<'a, F> {
         let limit = if count < block.total { PART_CONVERGED } else { CONVERGED };
         self.best.statistics.cost = f64::INFINITY;
         self.current.estimate = self.best.estimate;
-        let mut damping = FIRST_DAMPING;
+        // damping left from other measurements would end the passes after one tiny correction
+        self.damping = self.damping.min(FIRST_DAMPING);
         let mut last_size = 0.0;
         for _ in 0..MAX_PASSES {
             self.pass(block, count);
@@ -126,13 +131,13 @@ impl<'a, F: Real> Fit<'a, F> {
             let is_better = rise <= 0.0;
             if is_better {
                 self.best = self.current;
-                damping *= 0.1;
+                self.damping *= 0.1;
             } else if rise < CONVERGED {
                 return true;
             } else {
-                damping = (10.0 * damping).max(FIRST_DAMPING);
+                self.damping = (10.0 * self.damping).max(FIRST_DAMPING);
             }
-            let Some((next, size)) = self.corrected(damping) else { return false };
+            let Some((next, size)) = self.corrected() else { return false };
             // after a better pass, the next correction is smaller by the same factor as this one, or by more
             let next_size = if is_better { size * (size / last_size).min(1.0) } else { size };
             if next_size < limit {
@@ -182,8 +187,8 @@ impl<'a, F: Real> Fit<'a, F> {
 
     /// Best estimate after its correction, and the size of the correction in standard deviations. `None` where that is not finite.
     #[inline(never)] // stack
-    fn corrected(&mut self, damping: f64) -> Option<(Estimate, f64)> {
-        let change = self.damped(damping).solution();
+    fn corrected(&mut self) -> Option<(Estimate, f64)> {
+        let change = self.damped(self.damping).solution();
         let Pass { estimate, information, statistics } = &self.best;
         let size = information.at(&change).sqrt().to_f64();
         let is_finite = size.is_finite() && statistics.cost.is_finite();
