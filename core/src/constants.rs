@@ -1,17 +1,18 @@
 //! Constants of a motion in extended precision: [`State`](crate::State) → [`FirstIntegrals`] →
 //! [`BranchPoints`] → [`Regime`], [`TipClass`].
 
+mod signs;
+
 mod first_integrals;
 
-mod cubic;
+pub(crate) mod cubic;
 
 mod branch_points;
 
 mod regime;
 
-pub(crate) mod normal_force;
-
 pub use branch_points::BranchPoints;
+pub use first_integrals::FirstIntegrals;
 pub(crate) use first_integrals::ReducedPoint;
-pub use first_integrals::{FirstIntegrals, Sign, Signs};
 pub use regime::{Regime, TipClass};
+pub use signs::{Sign, Signs};

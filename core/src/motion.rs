@@ -6,6 +6,8 @@ pub(crate) mod ellipses;
 
 pub(crate) mod period;
 
+pub(crate) mod normal_force;
+
 mod launch_rounding;
 
 mod half_phase;
@@ -19,7 +21,7 @@ pub(crate) use launch_rounding::LaunchRounding;
 
 use crate::body::{Support, Top};
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, normal_force};
+use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass};
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};

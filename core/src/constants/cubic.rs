@@ -5,10 +5,10 @@ use crate::scalar::{Extended, Float, Ring};
 
 /// Cubic y³ + g₂ y² + g₁ y + g₀ that is convex from its largest root on.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Cubic {
-    pub(super) g0: Extended,
-    pub(super) g1: Extended,
-    pub(super) g2: Extended,
+pub(crate) struct Cubic {
+    pub(crate) g0: Extended,
+    pub(crate) g1: Extended,
+    pub(crate) g2: Extended,
 }
 
 impl Cubic {
@@ -21,7 +21,7 @@ impl Cubic {
     }
 
     /// Simple root, improved from an approximate value by three steps of Newton's method.
-    pub(super) fn refined(&self, start: Extended) -> Extended {
+    pub(crate) fn refined(&self, start: Extended) -> Extended {
         (0..3).fold(start, |y, _| {
             let slope = self.slope(y);
             if slope == Extended::ZERO { y } else { y - self.value(y) / slope }
@@ -46,7 +46,7 @@ impl Cubic {
     }
 
     /// Largest root, by Newton's method from above.
-    pub(super) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
+    pub(crate) fn largest_root(&self, pause: &mut dyn FnMut()) -> Extended {
         const MAX_STEPS: u32 = 200;
         let mut y = self.upper_bound();
         for _ in 0..MAX_STEPS {

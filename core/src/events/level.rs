@@ -2,8 +2,7 @@
 
 use crate::body::{ParameterError, Support, Top, check, check_finite, check_range, half_tilt_sine_cosine};
 use crate::complex::Complex;
-use crate::constants::normal_force;
-use crate::motion::Motion;
+use crate::motion::{Motion, normal_force};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real, Ring};
 use crate::su2::Orientation;

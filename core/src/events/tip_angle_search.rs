@@ -3,7 +3,7 @@
 //! Between the turning points of u and, on a curve with loops, the phases of u = l/n, the tip angle is monotone: a bisection finds the instant.
 //! Whole periods that do not reach the angle are skipped.
 
-use crate::events::Event;
+use crate::events::event::Event;
 use crate::events::level::{LAST_RISING, at_phase, bisect};
 use crate::events::recurring_instants::RecurringInstants;
 use crate::phase::{Phase, WrappedPhase};

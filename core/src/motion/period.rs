@@ -32,11 +32,6 @@ impl PeriodAdvance {
     }
 }
 
-/// Whether a number has one word of 64 bits, and not two.
-const fn has_one_word<F: Float>() -> bool {
-    F::OPERATION_ERROR > 1e-30
-}
-
 /// Nutation period with ψ_α and ψ_β over it, and their errors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Period {

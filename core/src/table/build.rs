@@ -10,8 +10,10 @@
 //!   launch_clock.rs      mean rates, launch phases  -> clock
 //! ```
 //!
-//! The tabulated a and b are α and β without their mean rotation. A power series carries its own exponent (`series`). The polynomials
-//! of a and b need none, because they are only halved and added: all are in units of 2^-62 (`polynomial`).
+//! The tabulated a and b are α and β without their mean rotation. Three phases would be tabulated more simply, but a tick would then take a
+//! third sine and two more products. A span whose series are not accurate with sixteen terms is halved (`error_budget`). A power
+//! series carries its own exponent (`series`). The polynomials of a and b need none, because they are only halved and added: all are
+//! in units of 2^-62 (`polynomial`).
 //!
 //! `pause` is called between the parts of a set-up that take long: nodes of a quadrature, coefficients of an expansion, and segments.
 

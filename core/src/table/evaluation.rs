@@ -19,10 +19,10 @@ pub(super) mod rounding;
 
 mod omega_q30;
 
-mod f32_q31;
+mod i32;
 
 #[cfg(feature = "fixed")]
-mod q15;
+mod i16;
 
 mod f64;
 

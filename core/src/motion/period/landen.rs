@@ -1,6 +1,5 @@
 //! Descending Landen transformation: Jacobi's functions sn, cn and dn without a transcendental function.
 
-use super::has_one_word;
 use crate::scalar::{Extended, Float};
 
 /// Fractions before division: sn² = sn_squared/(sn_squared + cn_squared), cn² likewise, and dn = dn/dn_denominator.
@@ -39,7 +38,7 @@ const LANDEN_STEPS: usize = 12;
 
 impl<F: Float> Landen<F> {
     /// Modulus whose transformation is negligible.
-    const MIN_MODULUS: f64 = if has_one_word::<F>() { 2e-20 } else { 1e-33 };
+    const MIN_MODULUS: f64 = 0.3 * F::OPERATION_ERROR;
 
     /// Sequence without steps.
     pub(super) const EMPTY: Self = {
@@ -79,7 +78,7 @@ impl<F: Float> Landen<F> {
         F::from_extended(Extended::TWO_PI).halved().halved() * self.scale.sqrt()
     }
 
-    /// Number of nodes to begin with (1, 3 or 5), and number needed for these bits: 4, 8, 16, ... times the first.
+    /// Number of nodes to begin with (1, 3 or 5), and number needed for a relative error: 4, 8, 16, ... times the first.
     pub(super) fn node_counts(&self, bits: f64) -> (u32, u32) {
         let nodes = bits / self.bits_per_node();
         let doubled = |division: u32| {

@@ -75,13 +75,8 @@ struct Recurrence {
     delta_to_mu: UnitFactor,
     cosine_to_sine: UnitFactor,
     sine_to_cosine: UnitFactor,
-    negligible_sine: i64,
-    negligible_cosine: i64,
     negligible_xi: i64,
 }
-
-/// Largest dχ/dy at which series are tried; beyond it they would not converge.
-const MAX_CHI_RATE: f64 = 4.0;
 
 impl Expansion {
     /// Expands the motion around a point.
@@ -152,25 +147,19 @@ impl Expansion {
             delta_to_mu: UnitFactor::new(1.0, delta, mu),
             cosine_to_sine: UnitFactor::new(chi_rate, cosine, sine),
             sine_to_cosine: UnitFactor::new(-chi_rate, sine, cosine),
-            negligible_sine: to_units(negligible, sine.exponent),
-            negligible_cosine: to_units(negligible, cosine.exponent),
             negligible_xi: to_units(negligible_xi, mu.exponent),
         }
     }
 
     /// Computes coefficients until two in succession are negligible. Returns their number.
     fn compute_series(&mut self, recurrence: &Recurrence, pause: &mut dyn FnMut()) -> Option<usize> {
-        let is_in_range = self.chi.at_origin <= MAX_CHI_RATE;
-        if !is_in_range {
-            return None;
-        }
         let mut before = false;
         for k in 0..MAX_TERMS {
             if k % 4 == 0 {
                 pause();
             }
-            let rates = k > 0 && self.next_rates(recurrence, k)?;
-            let negligible = self.next_sine_cosine(recurrence, k)? && rates;
+            let negligible = k > 0 && self.next_rates(recurrence, k)?;
+            self.next_sine_cosine(recurrence, k)?;
             if negligible && before {
                 return Some(k + 1);
             }
@@ -204,8 +193,8 @@ impl Expansion {
         Some(negligible)
     }
 
-    /// Computes coefficient k + 1 of sin χ and of cos χ. Returns whether both are negligible.
-    fn next_sine_cosine(&mut self, recurrence: &Recurrence, k: usize) -> Option<bool> {
+    /// Computes coefficient k + 1 of sin χ and of cos χ.
+    fn next_sine_cosine(&mut self, recurrence: &Recurrence, k: usize) -> Option<()> {
         let xi = &self.chi.variation;
         let next = |factor: &UnitFactor, part: &PowerSeries| {
             let rate = sum_in_range([part.coefficient(k), xi.product(part, 1..k + 1, k, -xi.exponent)])?;
@@ -214,10 +203,6 @@ impl Expansion {
         let sine = next(&recurrence.cosine_to_sine, &self.cosine)?;
         let cosine = next(&recurrence.sine_to_cosine, &self.sine)?;
         self.sine.set(k + 1, sine)?;
-        self.cosine.set(k + 1, cosine)?;
-        Some(
-            is_negligible(sine, k, recurrence.negligible_sine)
-                && is_negligible(cosine, k, recurrence.negligible_cosine),
-        )
+        self.cosine.set(k + 1, cosine)
     }
 }

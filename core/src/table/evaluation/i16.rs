@@ -4,7 +4,7 @@ use crate::complex::Complex;
 use crate::integer::shifted_right;
 use crate::scalar::{Q30, Wide, coarse_sine_cosine_q30};
 use crate::su2::Vector;
-use crate::table::evaluation::f32_q31::{COORDINATE_ERROR, ERRORS_Q30};
+use crate::table::evaluation::i32::{COORDINATE_ERROR, ERRORS_Q30};
 use crate::table::evaluation::omega_q30::omega_body;
 use crate::table::evaluation::rounding::{TABLE_BITS, sums_fit};
 use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors};
