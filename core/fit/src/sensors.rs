@@ -127,7 +127,7 @@ impl Mounting {
         range: f64,
     ) -> Residual<F> {
         let in_sensor = coordinates(self.rotation.map(F::from_f64));
-        let reading = cast(three(values));
+        let reading = cast(first_three(values));
         let [range, deviation, unused] = cast([range, noise.deviation, f64::INFINITY]);
         Residual {
             difference: add_scaled(reading, in_sensor(predicted), -F::ONE),
@@ -138,6 +138,6 @@ impl Mounting {
 }
 
 /// First three values of a reading.
-pub(crate) fn three([x, y, z, _]: &Values) -> Vector<f64> {
+pub(crate) fn first_three([x, y, z, _]: &Values) -> Vector<f64> {
     [*x, *y, *z]
 }

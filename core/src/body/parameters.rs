@@ -12,7 +12,7 @@ pub struct TopParameters {
     pub transverse_inertia: f64,
     /// Axial moment of inertia C <= 2A, kg m²; 0 for a thin rod or a point at its end.
     pub axial_inertia: f64,
-    /// Distance s of the centre of mass from the tip, m. For a fixed tip it serves only to give p = M s.
+    /// Distance s of the centre of mass from the tip, m. For a fixed tip it gives p = M s, and A >= M s² + C/2 is checked.
     pub com_height: f64,
     /// Mass M, kg.
     pub mass: f64,

@@ -18,7 +18,7 @@ pub enum Support {
 
 /// Symmetric top, in SI or any other consistent units. With g = 1 they are the paper's.
 ///
-/// Its numbers are those that were given, not rounded to `f64`; a rotor momentum below 1e-60 A counts as 0.
+/// The product p = M s is not rounded to `f64`. A rotor momentum below 1e-60 A counts as 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Top {

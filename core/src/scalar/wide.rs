@@ -57,7 +57,7 @@ impl<const WORDS: usize> Wide<WORDS> {
 }
 
 /// Number ±s · 2^exponent with twice as many words, where the leading bit of s is set, or s is 0.
-struct Exact<const WORDS: usize> {
+struct DoubleWidth<const WORDS: usize> {
     /// Upper and lower half of s.
     words: [[u64; WORDS]; 2],
     exponent: i32,
@@ -66,14 +66,14 @@ struct Exact<const WORDS: usize> {
 
 const LEADING: u64 = 1 << 63;
 
-impl<const WORDS: usize> From<Wide<WORDS>> for Exact<WORDS> {
+impl<const WORDS: usize> From<Wide<WORDS>> for DoubleWidth<WORDS> {
     #[inline(always)]
     fn from(Wide { significand, exponent, negative }: Wide<WORDS>) -> Self {
         Self { words: [significand, [0; WORDS]], exponent, negative }
     }
 }
 
-impl<const WORDS: usize> Exact<WORDS> {
+impl<const WORDS: usize> DoubleWidth<WORDS> {
     /// Number from words that have leading zeros.
     #[inline(always)]
     fn new(words: [[u64; WORDS]; 2], exponent: i32, negative: bool) -> Self {

@@ -4,7 +4,7 @@ use crate::error::FitWarning;
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
 use crate::fit::first_guess::rotation_from_vertical;
-use crate::fit::limits::{CHANCE_COST, MAX_RATE_AT_REST, MIN_NOISE, RANGE_FRACTION, SMALL_SINE};
+use crate::fit::limits::{CHANCE_COST, MAX_RATE_AT_REST, MIN_NOISE, RANGE_FRACTION, SMALL_ANGLE_SINE};
 use crate::fit::solver::Fit;
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::Measurements;
@@ -59,7 +59,7 @@ impl<F: Real> Fit<'_, F> {
         let axis = found.orientation.axis();
         let transverse = cross(found.omega, axis);
         let [x, y, z] = axis;
-        let near = SMALL_SINE * SMALL_SINE;
+        let near = SMALL_ANGLE_SINE * SMALL_ANGLE_SINE;
         if x * x + y * y > near || dot(transverse, transverse) > near * dot(found.omega, found.omega) {
             return false;
         }

@@ -2,7 +2,7 @@
 
 use crate::error::FitWarning;
 use crate::estimate::Estimate;
-use crate::fit::limits::SMALL_SINE;
+use crate::fit::limits::SMALL_ANGLE_SINE;
 use crate::fit::solver::Fit;
 use crate::fit::statistics::Statistics;
 use crate::model::{Model, carried};
@@ -201,7 +201,7 @@ impl Fitted {
         let span = end - self.launch_time;
         let (launch, at) = model.predicted(&self.launch, span)?;
         let rates = model.mean_rates([&self.launch, &launch], span);
-        // a change of a loss changes nothing at the launch, and the integrals at the end by their gradients
+        // a change of a loss does not change the launch; it changes the integrals at the end by gradient times tangent
         let gradients = at.equations.gradients(&at.state);
         let c_over_a = at.equations.coefficients.c_over_a;
         let per_time = model.top.transverse_inertia() / span;
@@ -242,7 +242,7 @@ fn unobservable(fitted: &Fitted) -> Unobservable {
     };
     let determined: f64 = with_noise(1.0, count).inverse_rows().flatten().map(|x| x * x).sum();
     let undetermined = libm::round((count as f64 - determined).max(0.0)) as usize;
-    let sum = with_noise(SMALL_SINE, LAUNCH_COLUMNS);
+    let sum = with_noise(SMALL_ANGLE_SINE, LAUNCH_COLUMNS);
     let axis = launch.orientation.axis();
     let none = [0.0; 3];
     let [yaw, roll, spin] = [[UP, none], [axis, cross(launch.omega, axis)], [none, axis]].map(|direction| {

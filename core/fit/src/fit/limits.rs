@@ -17,7 +17,7 @@ pub(super) const RANGE_FRACTION: f64 = 0.9;
 /// Difference of the sums of squares of two launches that chance explains: twice that between the best of 100 random spins and the true one.
 pub(super) const CHANCE_COST: f64 = 40.0;
 /// Sine of an angle that is called small: a tilt that is compared with none, and a direction close to an undetermined one.
-pub(super) const SMALL_SINE: f64 = 0.1;
+pub(super) const SMALL_ANGLE_SINE: f64 = 0.1;
 
 /// Size of the next correction, in standard deviations, and rise of the sum of squares, that need no further pass. The error of the
 /// integration causes such a rise.
@@ -30,13 +30,13 @@ pub(super) const FIRST_DAMPING: f64 = 1e-3;
 pub(super) const MAX_PASSES: u32 = 20;
 /// Standard deviation of an unknown that the measurements leave open, in its unit: more than one, and so few that an inverse in `f32` keeps
 /// its digits.
-pub(super) const OPEN: f64 = 10.0;
+pub(super) const OPEN_DEVIATION: f64 = 10.0;
 
 /// Difference that noise does not explain, in standard deviations: a gross error, or the distance of two launches that are not the same.
 pub(super) const GROSS_SIGMA: f64 = 10.0;
 /// Number of outliers as which a gross error counts: a twentieth of gross errors is as bad as a fifth of outliers.
 pub(super) const GROSS_WEIGHT: u32 = 4;
-/// Number of residuals for each of which an outlier is allowed, and number of outliers that are allowed besides, for short blocks.
+/// One outlier is allowed for every five residuals, and three more, for short blocks.
 pub(super) const OUTLIER_PART: u32 = 5;
 pub(super) const FEW_OUTLIERS: u32 = 3;
 /// Largest excess of a sum of squares that noise explains, in its standard deviations: one in 10⁶ is larger.

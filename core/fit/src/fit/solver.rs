@@ -7,7 +7,7 @@
 
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
-use crate::fit::limits::{CONVERGED, FIRST_DAMPING, MAX_PASSES, OPEN, PART_CONVERGED};
+use crate::fit::limits::{CONVERGED, FIRST_DAMPING, MAX_PASSES, OPEN_DEVIATION, PART_CONVERGED};
 use crate::fit::statistics::Statistics;
 use crate::model::{MAX_SENSORS, Model, Prior};
 use crate::sensitivity::{LAUNCH_COLUMNS, Partials, Tangent, Trajectory};
@@ -32,7 +32,7 @@ pub struct Fit<'a, F = f64> {
     /// Pass of the estimate that is tried.
     current: Pass<F>,
     trajectory: Trajectory<F>,
-    /// Part of the information that is added to it, by Marquardt.
+    /// Marquardt's damping: this fraction of each unknown's own information is added.
     damping: f64,
 }
 
@@ -218,7 +218,7 @@ impl<'a, F: Real> Fit<'a, F> {
             if let Some(along) = launch.iter().take(LAUNCH_COLUMNS).nth(index) {
                 direction.iter_mut().zip(along.components()).for_each(|(slot, x)| *slot = x);
             }
-            let least = F::from_f64(1.0 / (OPEN * unit));
+            let least = F::from_f64(1.0 / (OPEN_DEVIATION * unit));
             let square = information.at(&direction) * F::from_f64(damping);
             let weight = (square + least.squared()).sqrt();
             damped.add(direction.map(|x| weight * x), F::ZERO);

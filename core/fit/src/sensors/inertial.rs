@@ -1,7 +1,7 @@
 //! Instruments on the body: gyroscope, accelerometer and magnetometer.
 
 use crate::sensitivity::Partials;
-use crate::sensors::{Hint, Mounting, Noise, Residual, Sensor, Values, three};
+use crate::sensors::{Hint, Mounting, Noise, Residual, Sensor, Values, first_three};
 use crate::vector::{UP, Vector, cast, dot, unit};
 use toytop::scalar::Real;
 
@@ -48,7 +48,7 @@ impl<F: Real> Sensor<F> for Gyroscope {
     }
 
     fn hint(&self, values: &Values) -> Hint {
-        let reading = three(values);
+        let reading = first_three(values);
         let saturated = reading.map(|x| x.abs() >= self.range);
         // a saturated axis of the sensor says little about the axial rate, unless it is across the top's axis
         let axis = self.mounting.rotation.inverse().axis();
@@ -72,7 +72,7 @@ impl<F: Real> Sensor<F> for Accelerometer {
         if dot(self.mounting.place, self.mounting.place) > 0.0 {
             return Hint::None;
         }
-        Hint::Direction { fixed: UP, body: self.mounting.rotation.adjoint(three(values)) }
+        Hint::Direction { fixed: UP, body: self.mounting.rotation.adjoint(first_three(values)) }
     }
 }
 
@@ -86,7 +86,7 @@ impl<F: Real> Sensor<F> for Magnetometer {
     }
 
     fn hint(&self, values: &Values) -> Hint {
-        let body = self.mounting.rotation.adjoint(three(values));
+        let body = self.mounting.rotation.adjoint(first_three(values));
         unit(self.field).map_or(Hint::None, |fixed| Hint::Direction { fixed, body })
     }
 }

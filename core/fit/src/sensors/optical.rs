@@ -1,7 +1,7 @@
 //! Optical instruments beside the top: cameras, and a mark that passes a photo diode.
 
 use crate::sensitivity::Partials;
-use crate::sensors::{Hint, Noise, Residual, Sensor, Values, three};
+use crate::sensors::{Hint, Noise, Residual, Sensor, Values, first_three};
 use crate::vector::{Vector, add_scaled, cast, cross, rotation_vector, unit};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
@@ -65,14 +65,14 @@ impl<F: Real> Sensor<F> for AxisCamera {
 
     fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F> {
         Residual {
-            difference: add_scaled(cast(three(values)), at.axis(), -F::ONE),
+            difference: add_scaled(cast(first_three(values)), at.axis(), -F::ONE),
             deviation: [F::from_f64(self.deviation); 3],
             columns: at.d_axis(),
         }
     }
 
     fn hint(&self, values: &Values) -> Hint {
-        unit(three(values)).map_or(Hint::None, Hint::Axis)
+        unit(first_three(values)).map_or(Hint::None, Hint::Axis)
     }
 }
 
@@ -82,7 +82,7 @@ impl<F: Real> Sensor<F> for TipCamera {
     }
 
     fn residual(&self, at: &Partials<F>, values: &Values) -> Residual<F> {
-        let ([x, y, _], tip): (Vector<F>, _) = (cast(three(values)), at.tip());
+        let ([x, y, _], tip): (Vector<F>, _) = (cast(first_three(values)), at.tip());
         let [deviation, unused] = [self.deviation, f64::INFINITY].map(F::from_f64);
         Residual {
             difference: [x - tip.re, y - tip.im, F::ZERO],

@@ -4,19 +4,19 @@ use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::words::{inverse_root_u64, leading, quotient};
-use super::{Exact, Extended, Wide};
+use super::{DoubleWidth, Extended, Wide};
 use crate::integer::{ldexp, power_of_two};
 use crate::scalar::{Float, Ring};
 
 impl<const WORDS: usize> Wide<WORDS> {
     /// Difference a - bc with one rounding.
     fn minus_product(a: Self, [b, c]: [Self; 2]) -> Self {
-        Exact::from(a).plus(Exact::product(&-b, &c))
+        DoubleWidth::from(a).plus(DoubleWidth::product(&-b, &c))
     }
 
     /// Difference ab - cd with one rounding.
     pub(crate) fn difference_of_products([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        Exact::product(&a, &b).plus(Exact::product(&-c, &d))
+        DoubleWidth::product(&a, &b).plus(DoubleWidth::product(&-c, &d))
     }
 }
 
@@ -24,7 +24,7 @@ impl<const WORDS: usize> Add for Wide<WORDS> {
     type Output = Self;
     #[inline(never)]
     fn add(self, other: Self) -> Self {
-        Exact::from(self).plus(Exact::from(other))
+        DoubleWidth::from(self).plus(DoubleWidth::from(other))
     }
 }
 
@@ -48,7 +48,7 @@ impl<const WORDS: usize> Mul for Wide<WORDS> {
     type Output = Self;
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
-        Exact::product(&self, &other).rounded()
+        DoubleWidth::product(&self, &other).rounded()
     }
 }
 
@@ -63,7 +63,7 @@ impl<const WORDS: usize> Div for Wide<WORDS> {
         }
         let words = quotient(&self.significand, &other.significand);
         let exponent = self.exponent - other.exponent + 72 * WORDS as i32 - 56;
-        Exact::new(words, exponent, self.negative != other.negative).rounded()
+        DoubleWidth::new(words, exponent, self.negative != other.negative).rounded()
     }
 }
 

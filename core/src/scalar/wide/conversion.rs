@@ -1,6 +1,6 @@
 //! Wide numbers from and to `f64`, phases, integers and other widths.
 
-use super::{Exact, Wide};
+use super::{DoubleWidth, Wide};
 use crate::integer::mantissa_and_exponent;
 use crate::phase::{FRACTION_BITS, Phase};
 use crate::scalar::{Float, Ring};
@@ -24,7 +24,7 @@ impl<const WORDS: usize> Wide<WORDS> {
         for word in words.as_flattened_mut() {
             (*word, remainder) = ((remainder >> 64) as u64, remainder << 64);
         }
-        Exact::new(words, exponent + 128, negative).rounded()
+        DoubleWidth::new(words, exponent + 128, negative).rounded()
     }
 
     fn leading_128_bits(&self) -> u128 {

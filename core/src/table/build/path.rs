@@ -160,7 +160,7 @@ impl<'a, F: Float> Path<'a, F> {
         }
     }
 
-    /// Beginning of a cell. Its first span may be as long as a segment of this depth, if the last series would converge on it.
+    /// Beginning of a cell. If the last series converged well, the next span may be as long as a segment of this depth.
     pub(super) fn begin_cell(&mut self, position: usize, depth: u32) -> PathPoint {
         if self.scratch.expansion.may_double() {
             self.next_span_depth = self.next_span_depth.min(depth);

@@ -24,7 +24,7 @@ use core::marker::PhantomData;
 pub struct Cursor<R> {
     /// Phases of the last tick.
     phases: Phases<WrappedPhase>,
-    /// Number of the last tick, `high + low`. A tick then adds 32 bits, and carries every 2^32 ticks.
+    /// The last tick is `high + low`. A tick adds to the 32 bits of `low`; `high` changes every 2^32 ticks.
     low: u32,
     high: i64,
     scalar: PhantomData<fn() -> R>,
@@ -35,7 +35,7 @@ impl<R: TableScalar> Cursor<R> {
     /// sequence has no end.
     #[inline(always)]
     pub fn next<'a>(&mut self, table: &'a Table<R>) -> Sample<'a, R> {
-        debug_assert!(self.is_of(table), "a cursor belongs to the table that made it");
+        debug_assert!(self.belongs_to(table), "a cursor belongs to the table that made it");
         self.phases.update(table.clock.steps(), WrappedPhase::plus);
         let (low, carry) = self.low.overflowing_add(1);
         self.low = low;
@@ -47,7 +47,7 @@ impl<R: TableScalar> Cursor<R> {
     }
 
     /// Whether the phases are those of this table at the tick of the cursor. The lower bits are those of a wrapped tick number, too.
-    fn is_of(&self, table: &Table<R>) -> bool {
+    fn belongs_to(&self, table: &Table<R>) -> bool {
         self.phases.map(WrappedPhase::lower)
             == table.clock.phases_at_tick(self.tick()).map(WrappedPhase::lower)
     }

@@ -20,7 +20,7 @@ impl<R: TableScalar> Table<R> {
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite. With an epoch, t = 0 is not the launch.
     ///
     /// * Resolution: 2^-64 ticks up to 2^62 ticks.
-    /// * At whole ticks it has the bits of [`Table::at_tick`], if the tick rate is a multiple of 1/2.
+    /// * It has the bits of [`Table::at_tick`] where t times the tick rate is exactly a whole number, and the rate a multiple of 1/2.
     /// * It is slower beyond 2^62 ticks, and if a phase turns by half a turn or more a tick.
     #[inline(always)]
     #[must_use]

@@ -146,7 +146,7 @@ impl Expansion {
 
     /// Whether coefficients should be in range over twice the distance.
     pub(super) fn may_double(&self) -> bool {
-        /// Greatest ratio |c₁/c₀| of the coefficients of dχ/dy. Over twice the distance it is 2.5, below the 4 that a coefficient may grow.
+        /// Greatest ratio |c₁/c₀| of the coefficients of dχ/dy. Twice the distance doubles it to 2.5; coefficients have room for a factor of 4.
         const MAX_CHANGE: f32 = 1.25;
         self.chi.term_size(1, 1.0) <= MAX_CHANGE * self.chi.term_size(0, 1.0)
     }
