@@ -4,83 +4,63 @@ use std::fmt;
 use std::io;
 
 /// Reason why a command has no result, which is displayed as one line.
-#[derive(Debug)]
-pub enum Failure {
-    /// Bad input: the line names the file or the option, and the allowed values. Exit code 2.
-    Input(String),
-    /// Bad value of a key in a file, or a key that is unknown or missing. Exit code 2.
-    Key {
-        /// Name of the file.
-        file: String,
-        /// Table that the key belongs to.
-        table: String,
-        /// Key.
-        key: String,
-        /// Reason, with the allowed values.
-        reason: String,
-    },
-    /// Method that does not apply to this motion, with the reason. Exit code 3.
-    Method(String),
-    /// Result that cannot be written. Exit code 1.
-    Output(io::Error),
-    /// Other program, such as cargo or QEMU, that is missing or failed. Exit code 1.
-    Tool(String),
-}
-
-/// Refusal of the value of a parameter or key.
-pub struct Refusal {
-    /// Name of the parameter or key.
-    pub name: &'static str,
+#[derive(Clone, Debug)]
+pub struct Failure {
+    exit_code: u8,
+    /// Names of what the reason is about, from the outside in: an option or a file, a line or a key.
+    pub path: Vec<String>,
     /// Reason, with the allowed values.
     pub reason: String,
 }
 
-impl Refusal {
-    /// Refusal of a parameter or key for this reason.
-    pub fn new(name: &'static str, reason: impl Into<String>) -> Self {
-        Self { name, reason: reason.into() }
+impl Failure {
+    fn new(exit_code: u8, reason: impl Into<String>) -> Self {
+        Self { exit_code, path: Vec::new(), reason: reason.into() }
+    }
+
+    /// Bad input; the reason states the allowed values. Exit code 2.
+    pub fn input(reason: impl Into<String>) -> Self {
+        Self::new(2, reason)
+    }
+
+    /// Method that does not apply to this motion, with the reason. Exit code 3.
+    pub fn method(reason: impl Into<String>) -> Self {
+        Self::new(3, reason)
+    }
+
+    /// Result that cannot be written. Exit code 1.
+    pub fn output(error: io::Error) -> Self {
+        Self::new(1, format!("cannot write the output: {error}"))
+    }
+
+    /// Other program, such as cargo or QEMU, that is missing or failed. Exit code 1.
+    pub fn tool(reason: impl Into<String>) -> Self {
+        Self::new(1, reason)
+    }
+
+    /// Failure whose message begins with the name of an option, a file, a motion or a key.
+    pub fn at(mut self, name: impl Into<String>) -> Self {
+        self.path.insert(0, name.into());
+        self
+    }
+
+    /// Exit code of the process.
+    pub fn exit_code(&self) -> u8 {
+        self.exit_code
     }
 }
 
-impl Failure {
-    /// Exit code of the process.
-    pub fn exit_code(&self) -> u8 {
-        match self {
-            Self::Output(_) | Self::Tool(_) => 1,
-            Self::Input(_) | Self::Key { .. } => 2,
-            Self::Method(_) => 3,
-        }
-    }
-
-    /// Failure whose message begins with a name. A failure of the output has no message to change.
-    pub fn with_context(self, name: &str) -> Self {
-        let named = |message: String| format!("{name}: {message}");
-        match self {
-            Self::Input(message) => Self::Input(named(message)),
-            Self::Method(message) => Self::Method(named(message)),
-            Self::Tool(message) => Self::Tool(named(message)),
-            Self::Key { file, table, key, reason } => Self::Key { file: named(file), table, key, reason },
-            output @ Self::Output(_) => output,
-        }
-    }
-
-    /// Failure whose message begins with the motion's name, if a method does not apply to the motion, or otherwise with the option.
-    pub fn with_option_or_motion(self, option: &str, motion: &str) -> Self {
-        let name = if matches!(self, Self::Method(_)) { motion } else { option };
-        self.with_context(name)
+/// Bad input for this reason.
+impl From<String> for Failure {
+    fn from(reason: String) -> Self {
+        Self::input(reason)
     }
 }
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let message = match self {
-            Self::Input(message) | Self::Method(message) | Self::Tool(message) => message.clone(),
-            Self::Output(error) => format!("cannot write the output: {error}"),
-            Self::Key { file, table, key, reason } => {
-                format!("{file}: {}.{}: {reason}", excerpt(table), excerpt(key))
-            }
-        };
-        f.write_str(&one_line(&message))
+        let names: String = self.path.iter().map(|name| format!("{name}: ")).collect();
+        f.write_str(&one_line(&(names + &self.reason)))
     }
 }
 

@@ -27,9 +27,9 @@ use crate::Failure;
 /// Refuses times further from t = 0 than `most`; `suffix` ends the message.
 ///
 /// # Errors
-/// [`Failure::Input`].
+/// [`Failure::input`].
 pub fn require_within(times: impl IntoIterator<Item = f64>, most: f64, suffix: &str) -> Result<(), Failure> {
-    let beyond = |t| Err(Failure::Input(format!("{t:e} must be within ±{most:.1e}{suffix}")));
+    let beyond = |t| Err(Failure::input(format!("{t:e} must be within ±{most:.1e}{suffix}")));
     times.into_iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
 }
 

@@ -33,4 +33,4 @@ pub mod score;
 
 pub mod pictures;
 
-pub use failure::{Failure, Refusal, excerpt};
+pub use failure::{Failure, excerpt};

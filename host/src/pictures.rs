@@ -11,12 +11,10 @@ pub mod page;
 
 use crate::Failure;
 use crate::input::require_within;
-use crate::motion::Scalar;
 use crate::motion::evaluator::MotionEvaluator;
 use crate::motion::sample::MotionSample;
 use crate::output::significant;
 use toytop_model::display_duration::{cycle, display_duration, periods};
-use toytop_model::timed_motion::TimedMotion;
 
 /// Motion between two times.
 pub struct MotionSpan {
@@ -31,16 +29,19 @@ pub struct MotionSpan {
 pub const MAX_CYCLES: f64 = 1000.0;
 
 impl MotionSpan {
-    /// Motion between two times, s. Without them it begins at 0 and is about one turn of the tip around the centre: a whole number of
+    /// Motion of an evaluator between two times, s. Without them it begins at 0 and is about one turn of the tip around the centre: a whole number of
     /// nutation periods, one turn where u is constant, or the time until the tip of an aperiodic motion is at the centre.
     ///
     /// * `most_cycles`: greatest number of nutation periods or turns
     ///
     /// # Errors
-    /// [`Failure::Input`]: times beyond the reach of the table, or too many cycles. [`Failure::Method`]: no table is large
-    /// enough.
-    pub fn new(motion: &TimedMotion, times: Option<[f64; 2]>, most_cycles: f64) -> Result<Self, Failure> {
-        let evaluator = MotionEvaluator::new(motion, Scalar::F64)?;
+    /// [`Failure::input`]: times beyond the reach of the evaluator, or too many cycles.
+    pub fn new(
+        evaluator: MotionEvaluator,
+        times: Option<[f64; 2]>,
+        most_cycles: f64,
+    ) -> Result<Self, Failure> {
+        let motion = &evaluator.motion;
         require_within(times.into_iter().flatten(), evaluator.furthest_time(), " s")?;
         let longest = most_cycles * cycle(motion);
         if let Some([from, until]) = times.filter(|[from, until]| until - from > longest)
@@ -49,7 +50,7 @@ impl MotionSpan {
             let [from, until, longest] =
                 [(from, 17), (until, 17), (longest, 4)].map(|(t, n)| significant(t, n));
             let reason = format!("must span at most {longest} ({most_cycles} nutation periods or turns)");
-            return Err(Failure::Input(format!("{from}..{until}: {reason}")));
+            return Err(Failure::input(reason).at(format!("{from}..{until}")));
         }
         let periods = periods(motion).filter(|_| times.is_none());
         let ends =

@@ -16,19 +16,19 @@ pub const INTERVAL: Duration = Duration::from_millis(50);
 /// two threads would wait for each other.
 fn pool() -> Result<ThreadPool, Failure> {
     let threads = ThreadPoolBuilder::new().stack_size(STACK).build();
-    threads.map_err(|error| Failure::Tool(format!("threads: {error}")))
+    threads.map_err(|error| Failure::tool(format!("threads: {error}")))
 }
 
 /// Calls `work` with each of the jobs on all cores.
 ///
-/// * `goes_on`: asked every [`INTERVAL`] in the calling thread; after `false` the remaining jobs are not done
+/// * `keep_going`: asked every [`INTERVAL`] in the calling thread; after `false` the remaining jobs are not done
 ///
 /// # Errors
-/// [`Failure::Tool`]: the system cannot start the threads.
+/// [`Failure::tool`]: the system cannot start the threads.
 pub fn for_each<J: Send>(
     jobs: impl ParallelIterator<Item = J>,
     work: impl Fn(J) + Send + Sync,
-    mut goes_on: impl FnMut() -> bool,
+    mut keep_going: impl FnMut() -> bool,
 ) -> Result<(), Failure> {
     let stopped = AtomicBool::new(false);
     let unless_stopped = |job| {
@@ -43,7 +43,7 @@ pub fn for_each<J: Send>(
             jobs.for_each(unless_stopped);
         });
         while ended.recv_timeout(INTERVAL) == Err(RecvTimeoutError::Timeout) {
-            if !goes_on() {
+            if !keep_going() {
                 stopped.store(true, Relaxed);
                 break;
             }
@@ -52,7 +52,7 @@ pub fn for_each<J: Send>(
     Ok(())
 }
 
-/// Results of `compute` for the numbers below `count`, in their order, computed on all cores. Results are missing after `goes_on` was
+/// Results of `compute` for the numbers below `count`, in their order, computed on all cores. Results are missing after `keep_going` was
 /// `false`, as in [`for_each`].
 ///
 /// # Errors
@@ -60,7 +60,7 @@ pub fn for_each<J: Send>(
 pub fn map<T: Send>(
     count: usize,
     compute: impl Fn(usize) -> T + Send + Sync,
-    goes_on: impl FnMut() -> bool,
+    keep_going: impl FnMut() -> bool,
 ) -> Result<Vec<T>, Failure> {
     let mut results: Vec<Option<T>> = (0..count).map(|_| None).collect();
     match &mut results[..] {
@@ -68,7 +68,7 @@ pub fn map<T: Send>(
         [only] => *only = Some(compute(0)),
         results => {
             let jobs = results.par_iter_mut().enumerate();
-            for_each(jobs, |(index, result)| *result = Some(compute(index)), goes_on)?;
+            for_each(jobs, |(index, result)| *result = Some(compute(index)), keep_going)?;
         }
     }
     Ok(results.into_iter().flatten().collect())

@@ -51,24 +51,23 @@ impl Times {
     /// * `rate`: tick rate `[A, B]`, A ticks in B seconds
     ///
     /// # Errors
-    /// [`Failure::Input`]: an unreadable file, an entry that is no finite number, or no tick.
+    /// [`Failure::input`]: an unreadable file, an entry that is no finite number, or no tick.
     pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Self, Failure> {
         match arguments {
             TimesArgs { times: Some(values), .. } => Self::new("--times".to_owned(), values),
             TimesArgs { times_file: Some(path), .. } => Self::read_file(path),
             TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
             TimesArgs { from: Some(from), to: Some(to), count, .. } => {
-                let values = Values::range([*from, *to], false, *count, ["--from", "--to", "--count"])
-                    .map_err(Failure::Input)?;
+                let values = Values::range([*from, *to], false, *count, ["--from", "--to", "--count"])?;
                 Self::new("--from, --to, --count".to_owned(), &values)
             }
-            _ => Err(Failure::Input("must have --times, --times-file, --ticks or --from".to_owned())),
+            _ => Err(Failure::input("must have --times, --times-file, --ticks or --from")),
         }
     }
 
     /// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
     fn parse_ticks(text: &str, rate: [u32; 2]) -> Result<Self, Failure> {
-        let refused = |reason: &str| Failure::Input(format!("--ticks: {}: {reason}", excerpt(text)));
+        let refused = |reason| Failure::input(reason).at(excerpt(text)).at("--ticks");
         let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
         let numbers =
             |separator| text.split(separator).map(|number: &str| number.trim().parse().ok()).collect();
@@ -76,11 +75,11 @@ impl Times {
         let listed: Option<Vec<i64>> = numbers(if range { ".." } else { "," });
         let ticks = match listed.as_deref() {
             Some([first, last]) if range && first <= last => {
-                require_count(last.abs_diff(*first).saturating_add(1)).map_err(|reason| refused(&reason))?;
+                require_count(last.abs_diff(*first).saturating_add(1)).map_err(refused)?;
                 (*first..=*last).collect()
             }
             Some(ticks) if !range => ticks.to_vec(),
-            _ => return Err(refused(allowed)),
+            _ => return Err(refused(allowed.to_owned())),
         };
         let [ticks_per, duration] = rate.map(f64::from);
         let seconds = ticks.iter().map(|tick| *tick as f64 * duration / ticks_per).collect();
@@ -90,22 +89,21 @@ impl Times {
     fn read_file(path: &Path) -> Result<Self, Failure> {
         /// Size of the largest file, MiB: [`MAX_TIMES`] lines of 25 bytes.
         const MAX_FILE_MIB: u64 = 256;
-        let name = path.display();
-        let text = text_file::read(&name.to_string(), path, MAX_FILE_MIB)?;
+        let name = path.display().to_string();
+        let text = text_file::read(&name, path, MAX_FILE_MIB)?;
         let mut times = Vec::new();
         for (index, line) in text.lines().enumerate() {
             let entry = line.split('#').next().unwrap_or_default().trim();
             if !entry.is_empty() {
-                let refused = |reason| {
-                    Failure::Input(format!("{name}: line {}: {:?}: {reason}", index + 1, excerpt(entry)))
+                let refused = |reason: String| {
+                    let line = format!("line {}: {:?}", index + 1, excerpt(entry));
+                    Failure::input(reason).at(line).at(&name)
                 };
                 times.push(number(FINITE)(entry).map_err(refused)?);
             }
         }
         if times.is_empty() {
-            return Err(Failure::Input(format!(
-                "{name}: must hold at least one time, one finite number a line"
-            )));
+            return Err(Failure::input("must hold at least one time, one finite number a line").at(name));
         }
         Self::new(format!("--times-file: {name}"), &Values::List(times))
     }
@@ -113,9 +111,9 @@ impl Times {
     /// Times of values with a number; `option` states them.
     ///
     /// # Errors
-    /// [`Failure::Input`]: too many times.
+    /// [`Failure::input`]: too many times.
     pub fn new(option: String, values: &Values) -> Result<Self, Failure> {
-        require_count(values.size()).map_err(|reason| Failure::Input(reason).with_context(&option))?;
+        require_count(values.size()).map_err(|reason| Failure::input(reason).at(&option))?;
         let seconds = (0..values.size()).map(|index| values.at(index)).collect();
         Ok(Self { option, seconds, ticks: Vec::new() })
     }
@@ -123,10 +121,10 @@ impl Times {
     /// Refuses times further from t = 0 than `most`, s; `method` ends the message.
     ///
     /// # Errors
-    /// [`Failure::Input`].
+    /// [`Failure::input`].
     pub fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
         require_within(self.seconds.iter().copied(), most, &format!(" s{method}"))
-            .map_err(|failure| failure.with_context(&self.option))
+            .map_err(|failure| failure.at(&self.option))
     }
 }
 
@@ -141,7 +139,7 @@ mod tests {
     #[test]
     fn far_times_and_open_ranges_are_refused() {
         let times = |text: &str| {
-            let values = counted_values(text).map_err(|reason| Failure::Input(reason.to_owned()))?;
+            let values = counted_values(text)?;
             Times::new("--times".to_owned(), &values)
         };
         let far = times("-3..1/5").unwrap();

@@ -16,16 +16,17 @@ impl DocPage {
     /// Page of the repository, with a part at a mark `toytop COMMAND: NAME`.
     ///
     /// # Errors
-    /// [`Failure::Input`], with `--accept` in front: the page is not found, is larger than 16 MiB, or does not contain the lines.
+    /// [`Failure::input`], with `--accept` in front: the page is not found, is larger than 16 MiB, or does not contain the lines.
     pub fn read(page: &str, mark: &str) -> Result<Self, Failure> {
-        let path = repository("--accept", page)?.join(page);
-        let page = format!("--accept: {page}");
-        let text = text_file::read(&page, &path, 16)?;
+        let accept = |failure: Failure| failure.at("--accept");
+        let path = repository(page).map_err(accept)?.join(page);
+        let text = text_file::read(page, &path, 16).map_err(accept)?;
         let name = mark.split_once(": ").map_or(mark, |(_, name)| name);
         let [begin, end] = [format!("<!-- {mark} -->\n"), format!("<!-- end of {name} -->\n")];
         let parts = text.split_once(&begin).and_then(|(before, rest)| Some((before, rest.split_once(&end)?)));
         let (before, (_, after)) = parts.ok_or_else(|| {
-            Failure::Input(format!("{page}: must hold the lines {} and {}", begin.trim(), end.trim()))
+            let reason = format!("must hold the lines {} and {}", begin.trim(), end.trim());
+            accept(Failure::input(reason).at(page))
         })?;
         Ok(Self { path, around: [before.to_owned() + &begin, end + after] })
     }
@@ -55,11 +56,11 @@ impl DocPage {
 /// Root of the repository: the current folder, or the nearest one above it, that has this file or folder.
 ///
 /// # Errors
-/// [`Failure::Input`], with `option` in front: there is none.
-pub fn repository(option: &str, path: &str) -> Result<PathBuf, Failure> {
-    let folder = std::env::current_dir()
-        .map_err(|error| Failure::Input(format!("{option}: current folder: {error}")))?;
+/// [`Failure::input`]: there is none.
+pub fn repository(path: &str) -> Result<PathBuf, Failure> {
+    let folder =
+        std::env::current_dir().map_err(|error| Failure::input(format!("current folder: {error}")))?;
     let root = folder.ancestors().find(|root| root.join(path).exists());
     root.map(PathBuf::from)
-        .ok_or_else(|| Failure::Input(format!("{option}: needs {path} in the current folder or one above")))
+        .ok_or_else(|| Failure::input(format!("needs {path} in the current folder or one above")))
 }

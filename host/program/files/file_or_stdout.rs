@@ -8,11 +8,11 @@ use toytop_host::Failure;
 /// Writes to stdout. A reader that closes it early (`| head`) is no failure.
 ///
 /// # Errors
-/// [`Failure::Output`]: the error of `fill`.
+/// [`Failure::output`]: the error of `fill`.
 pub fn write_stdout(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Result<(), Failure> {
     let mut out = io::stdout();
     match fill(&mut out).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::output(error)),
         _ => Ok(()),
     }
 }
@@ -20,7 +20,7 @@ pub fn write_stdout(fill: impl FnOnce(&mut io::Stdout) -> io::Result<()>) -> Res
 /// Writes the complete file of `--output`, or stdout where the path is `-` or absent.
 ///
 /// # Errors
-/// The failures of [`whole_file::write_by`], or [`Failure::Output`]: the error of `fill` on stdout.
+/// The failures of [`whole_file::write_by`], or [`Failure::output`]: the error of `fill` on stdout.
 pub fn write(
     path: Option<&Path>,
     fill: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,

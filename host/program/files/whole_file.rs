@@ -84,13 +84,13 @@ fn link_target(path: &Path) -> PathBuf {
 /// Refuses an output that is one of the inputs.
 ///
 /// # Errors
-/// [`Failure::Input`].
+/// [`Failure::input`].
 pub fn require_other(option: &str, output: Option<&Path>, inputs: &[Option<&Path>]) -> Result<(), Failure> {
     let existing = |path: &Path| fs::canonicalize(path).ok().filter(|path| path.is_file());
     let Some(target) = output.and_then(existing) else { return Ok(()) };
     if inputs.iter().flatten().any(|input| existing(input).as_ref() == Some(&target)) {
-        let name = target.display();
-        return Err(Failure::Input(format!("{option}: {name}: must not be a file that the command reads")));
+        let name = target.display().to_string();
+        return Err(Failure::input("must not be a file that the command reads").at(name).at(option));
     }
     Ok(())
 }
@@ -107,9 +107,9 @@ pub fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
             | ErrorKind::BrokenPipe
     );
     if is_of_the_device || (cfg!(unix) && error.raw_os_error() == Some(EIO)) {
-        Failure::Output(io::Error::new(error.kind(), message))
+        Failure::output(io::Error::new(error.kind(), message))
     } else {
-        Failure::Input(message)
+        Failure::input(message)
     }
 }
 

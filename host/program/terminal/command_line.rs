@@ -22,7 +22,7 @@ pub fn run(command: Command, execute: impl FnOnce(&ArgMatches) -> Result<Report,
 /// Report of the command on the command line. Help and version are reports too.
 ///
 /// # Errors
-/// [`Failure::Input`] for everything that clap refuses, and the failures of the command.
+/// [`Failure::input`] for everything that clap refuses, and the failures of the command.
 fn parsed(
     command: Command,
     execute: impl FnOnce(&ArgMatches) -> Result<Report, Failure>,
@@ -34,9 +34,9 @@ fn parsed(
     match error.kind() {
         ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Ok(error.render().to_string().into()),
         ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand => {
-            Err(Failure::Input("no command given; see toytop --help".into()))
+            Err(Failure::input("no command given; see toytop --help"))
         }
-        _ => Err(Failure::Input(in_one_line(&error.render().to_string()))),
+        _ => Err(Failure::input(in_one_line(&error.render().to_string()))),
     }
 }
 

@@ -23,15 +23,13 @@ pub(crate) fn renamed(error: ParameterError, names: &[(&str, &str)]) -> PyErr {
 
 /// Exception for a parameter and the reason.
 pub(crate) fn value_error(parameter: &str, reason: impl Display) -> PyErr {
-    PyValueError::new_err(format!("{parameter}: {reason}"))
+    failed(Failure::input(reason.to_string()).at(parameter))
 }
 
 /// Exception for a failure of the host library.
 pub(crate) fn failed(failure: Failure) -> PyErr {
-    match failure {
-        Failure::Output(_) | Failure::Tool(_) => PyOSError::new_err(failure.to_string()),
-        _ => PyValueError::new_err(failure.to_string()),
-    }
+    let message = failure.to_string();
+    if failure.exit_code() == 1 { PyOSError::new_err(message) } else { PyValueError::new_err(message) }
 }
 
 /// Array of numbers for Python.
@@ -88,7 +86,7 @@ impl FromPyObject<'_, '_> for NumericArg {
 /// `ValueError`: one of the times is farther.
 pub(crate) fn require_within(reach: f64, times: &[f64]) -> PyResult<()> {
     let within = input::require_within(times.iter().copied(), reach, "");
-    within.map_err(|failure| failed(failure.with_context("t")))
+    within.map_err(|failure| failed(failure.at("t")))
 }
 
 /// Array of these numbers, which are not copied.

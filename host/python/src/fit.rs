@@ -9,11 +9,11 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
 use pythonize::{depythonize, pythonize};
 use toytop_fit::{Drift, Measurement};
+use toytop_host::fit::columns::Columns;
 use toytop_host::fit::result::{FitInput, FitResult, fit_launch};
 use toytop_host::fit::sensors::{Sensors, centre_of_mass};
 use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
 use toytop_host::fit::summary::FitSummary;
-use toytop_host::{Refusal, fit::columns::Columns};
 
 /// Fitted launch with the covariance of its unknowns.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -60,7 +60,7 @@ pub(crate) fn fit<'py>(
         let residuals = report.residuals(&readings);
         Ok((report, residuals))
     })?
-    .map_err(|Refusal { name, reason }| value_error(name, reason))?;
+    .map_err(failed)?;
     let mut by_column = Columns { t: given.t, readings: Vec::new() };
     for (sensor, model) in report.input.sensors.models.iter().enumerate() {
         for (component, name) in model.kind.residuals().iter().enumerate() {

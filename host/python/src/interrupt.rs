@@ -33,7 +33,7 @@ pub(crate) fn for_each<J: Send>(
     jobs: impl ParallelIterator<Item = J>,
     work: impl Fn(J) + Send + Sync,
 ) -> PyResult<()> {
-    until_signal(py, |goes_on| threads::for_each(jobs, work, goes_on))
+    until_signal(py, |keep_going| threads::for_each(jobs, work, keep_going))
 }
 
 /// Results of `compute` for the indices below `count`, on all cores. One result should take less than 0.1 s.
@@ -45,7 +45,7 @@ pub(crate) fn map<T: Send>(
     count: usize,
     compute: impl Fn(usize) -> T + Send + Sync,
 ) -> PyResult<Vec<T>> {
-    until_signal(py, |goes_on| threads::map(count, compute, goes_on))
+    until_signal(py, |keep_going| threads::map(count, compute, keep_going))
 }
 
 /// Result of `work`, which runs in a thread of its own. Ctrl-C returns at once, and the thread runs to its end.

@@ -12,6 +12,7 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use std::sync::{Arc, OnceLock};
 use toytop::{Motion, State};
+use toytop_host::Failure;
 use toytop_host::input::scenario::{Launch, Scenario, ScenarioFile, to_toml};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::evaluator::MotionEvaluator;
@@ -29,7 +30,7 @@ pub(crate) struct MotionCore {
     pub(crate) launch: Launch,
     /// Motion with its period.
     pub(crate) motion: TimedMotion,
-    tables: [OnceLock<Result<SharedEvaluator, String>>; Scalar::ALL.len()],
+    tables: [OnceLock<Result<SharedEvaluator, Failure>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
     pub(crate) reference: OnceLock<Quadrature>,
 }
@@ -64,10 +65,10 @@ impl MotionCore {
     pub(crate) fn table(&self, scalar: Scalar) -> PyResult<SharedEvaluator> {
         let set_up = || {
             let evaluator = MotionEvaluator::new(&self.motion, scalar);
-            evaluator.map(Arc::new).map_err(|failure| failure.to_string())
+            evaluator.map(Arc::new).map_err(|failure| failure.at("scalar"))
         };
         let table = self.tables[scalar as usize].get_or_init(set_up).clone();
-        table.map_err(|reason| value_error("scalar", reason))
+        table.map_err(failed)
     }
 
     /// Table in a scalar whose ticks reach the times.

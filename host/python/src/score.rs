@@ -29,7 +29,7 @@ pub(crate) fn score<'py>(
     let row = move |i: usize| {
         let given = Orientation::from_quaternion(quaternions.as_chunks().0[i]);
         let (orientation, norm_error) =
-            normalised(given).map_err(|reason| Failure::Input(format!("quaternion: row {i}: {reason}")))?;
+            normalised(given).map_err(|reason| Failure::input(format!("quaternion: row {i}: {reason}")))?;
         let in_fixed = |rate: [f64; 3]| if in_body { orientation.adjoint(rate) } else { rate };
         let omega = rates.as_ref().map(|rates| in_fixed(rates.as_chunks().0[i]));
         Ok(TrajectoryRow { t: t.numbers[i], orientation, norm_error, omega, tip: None })
@@ -40,7 +40,7 @@ pub(crate) fn score<'py>(
         let trajectory =
             Trajectory { name: "result".into(), method: None, step: None, evaluations: None, rows };
         let scorer = Scorer::new(&motion, "motion.at(t[0])");
-        scorer.map_err(|failure| failure.with_context("motion"))?.score(&trajectory)
+        scorer.map_err(|failure| failure.at("motion"))?.score(&trajectory)
     })?;
     let score = score.map_err(failed)?;
     let fields = pythonize(py, &score)?.cast_into::<PyDict>()?;

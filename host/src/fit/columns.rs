@@ -91,7 +91,7 @@ impl Columns {
 /// * `all`: whether every sensor must have its columns
 ///
 /// # Errors
-/// [`Failure::Input`]: the file cannot be read; no column `t`, or no sensor with all its columns; a field that is no
+/// [`Failure::input`]: the file cannot be read; no column `t`, or no sensor with all its columns; a field that is no
 /// finite number; a row that is incomplete for a sensor, beyond its range, or earlier than the one before.
 pub fn read(
     path: &Path,
@@ -100,7 +100,7 @@ pub fn read(
 ) -> Result<(Vec<Measurement>, Vec<String>), Failure> {
     let file = path.display().to_string();
     let text = text_file::read(&file, path, csv_rows::MAX_FILE_MIB)?;
-    parse(&text, sensors, all).map_err(|reason| Failure::Input(format!("{file}: {reason}")))
+    parse(&text, sensors, all).map_err(|reason| Failure::input(reason).at(file))
 }
 
 /// Spellings of the unit of a column.

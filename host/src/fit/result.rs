@@ -1,10 +1,10 @@
 //! Fit of a launch, and of free keys of the top, to measurements, and its result.
 
 use super::sensors::Sensors;
+use crate::Failure;
 use crate::input::scenario::{Launch, to_toml};
 use crate::input::section;
 use crate::output::{exact, significant};
-use crate::{Failure, Refusal};
 use serde::Serialize;
 use toml::{Table, Value};
 use toytop::{Support, Top};
@@ -54,9 +54,8 @@ impl FitInput {
                 key if !has(key) => {
                     let described = FREE_KEYS.into_iter().filter(|key| has(key) || *key == "gravity");
                     let allowed = described.collect::<Vec<_>>().join(", ");
-                    return Err(format!(
-                        "{key}: must be one of the numbers that describe the top: {allowed}"
-                    ));
+                    let reason = format!("must be one of the numbers that describe the top: {allowed}");
+                    return Err(format!("{key}: {reason}"));
                 }
                 "axial_inertia" => FreeRatio::AXIAL_INERTIA,
                 "transverse_inertia" => FreeRatio::TRANSVERSE_INERTIA,
@@ -73,18 +72,18 @@ impl FitInput {
 /// Launch that fits the measurements best.
 ///
 /// # Errors
-/// [`Refusal`] of `free`, `huber`, `drift` or `samples`.
-pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitResult, Refusal> {
-    let ratios = input.ratios().map_err(|reason| Refusal::new("free", reason))?;
+/// [`Failure::input`] of `free`, `huber`, `drift` or `samples`.
+pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitResult, Failure> {
+    let ratios = input.ratios().map_err(|reason| Failure::input(reason).at("free"))?;
     if input.huber.is_nan() || input.huber < 1.0 {
-        return Err(Refusal::new("huber", "must be a number from 1, or inf"));
+        return Err(Failure::input("must be a number from 1, or inf").at("huber"));
     }
     let refuse = |error: FitError| match error.parameter {
-        "deviation" => Refusal::new("drift", "must be a positive number"),
+        "deviation" => Failure::input("must be a positive number").at("drift"),
         "ratios" if input.drift.is_some() && error.index.is_none() => {
-            Refusal::new("free", "must be at most one name with a drift")
+            Failure::input("must be at most one name with a drift").at("free")
         }
-        _ => Refusal::new("samples", error.to_string()),
+        _ => Failure::input(error.to_string()).at("samples"),
     };
     let listed = input.sensors.as_sensors();
     let mut fit = Fit::new(&input.top, &listed, &ratios).map_err(refuse)?.with_huber(input.huber);
@@ -145,7 +144,7 @@ pub const RATES: [(&str, &str); 3] = [("dl/dt", "N m"), ("dn/dt", "N m"), ("dh/d
 
 impl FitResult {
     /// Values of the free keys with their standard deviations.
-    pub(super) fn freed(&self) -> Vec<(&str, Estimated<f64>)> {
+    pub(super) fn free_values(&self) -> Vec<(&str, Estimated<f64>)> {
         let FitInput { top, table, free, .. } = &self.input;
         let deviations = self.fitted.deviations();
         // the logarithm of the fitted value over the given one is the unknown
@@ -241,9 +240,9 @@ impl FitResult {
     /// Scenario of the fitted launch, which is its state at t = 0.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no top has the fitted numbers.
+    /// [`Failure::input`]: no top has the fitted numbers.
     pub fn scenario(&self, units: Option<&str>) -> Result<String, Failure> {
-        let refuse = |error: toytop::ParameterError| Failure::Input(format!("the fitted top: {error}"));
+        let refuse = |error: toytop::ParameterError| Failure::input(format!("the fitted top: {error}"));
         self.fitted.motion().map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
         let mut text = format!(
@@ -264,7 +263,9 @@ impl FitResult {
                 &format!("# Drift during the samples, which the motion below does not contain: {rates}\n");
         }
         let mut top = self.input.table.clone();
-        top.extend(self.freed().into_iter().map(|(key, free)| (key.to_owned(), Value::from(free.value))));
+        top.extend(
+            self.free_values().into_iter().map(|(key, free)| (key.to_owned(), Value::from(free.value))),
+        );
         let units = units.map(|units| format!("units = {units:?}\n")).unwrap_or_default();
         Ok(format!("{text}{units}\n{}", to_toml(&top, &Launch::from(&state))))
     }

@@ -166,7 +166,7 @@ impl Sensors {
     /// * `com`: [`centre_of_mass`], where a sensor is that has no position
     ///
     /// # Errors
-    /// [`Failure::Input`]: the file cannot be read, or as [`Sensors::parse`].
+    /// [`Failure::input`]: the file cannot be read, or as [`Sensors::parse`].
     pub fn read(path: Option<&Path>, com: [f64; 3]) -> Result<Self, Failure> {
         let Some(path) = path else { return Ok(Self::telephone(com)) };
         let file = path.display().to_string();
@@ -176,7 +176,7 @@ impl Sensors {
     /// Sensors of the text of a file; `file` is its name in messages.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no TOML, or a key is unknown, missing or out of range.
+    /// [`Failure::input`]: no TOML, or a key is unknown, missing or out of range.
     pub fn parse(file: &str, text: &str, com: [f64; 3]) -> Result<Self, Failure> {
         Self::from_table(file, &section::parse(file, text)?, com)
     }
@@ -184,9 +184,9 @@ impl Sensors {
     /// Sensors of a parsed file; `file` is its name in messages.
     ///
     /// # Errors
-    /// [`Failure::Input`]: a key is unknown, missing or out of range.
+    /// [`Failure::input`]: a key is unknown, missing or out of range.
     pub fn from_table(file: &str, table: &Table, com: [f64; 3]) -> Result<Self, Failure> {
-        let refuse = |reason: String| Err(Failure::Input(format!("{file}: {reason}")));
+        let refuse = |reason: String| Err(Failure::input(reason).at(file));
         let mut sensors = Self { models: Vec::new(), jitter: 0.0, dropped: 0.0 };
         for (name, value) in table {
             let Value::Table(table) = value else {

@@ -111,7 +111,7 @@ impl<'a> FitSummary<'a> {
             spin_deviation: spin.deviation,
             tilt_deg: tilt.value.to_degrees(),
             tilt_deviation_deg: tilt.deviation.to_degrees(),
-            free: fit.freed(),
+            free: fit.free_values(),
             biases: fit.biases(),
             drift,
             covariance: (0..count).map(covariance).collect(),

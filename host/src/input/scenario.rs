@@ -14,7 +14,7 @@ pub use toytop_model::launch::Launch;
 use super::section::{self, Key, Section};
 use super::text_file;
 use super::units::{self, DEGREES, RADIANS};
-use crate::{Failure, Refusal, excerpt};
+use crate::{Failure, excerpt};
 use serde_json::json;
 use std::path::Path;
 use toml::{Table, Value};
@@ -89,7 +89,7 @@ impl ScenarioFile {
     /// Keys and values of a file.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`ScenarioFile::parse`].
+    /// [`Failure::input`]: the file cannot be read, is larger than 1 MiB or not UTF-8, or as [`ScenarioFile::parse`].
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let file = path.display().to_string();
         let read = Self::parse(&file, &text_file::read(&file, path, 1)?)?;
@@ -99,15 +99,14 @@ impl ScenarioFile {
     /// Keys and values of the text of a file; `file` is its name in messages.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no TOML, or a text in place of a number that is not a number with a unit of its key.
+    /// [`Failure::input`]: no TOML, or a text in place of a number that is not a number with a unit of its key.
     pub fn parse(file: &str, text: &str) -> Result<Self, Failure> {
         let mut table = section::parse(file, text)?;
         let has_units = table.get("units").and_then(Value::as_str) != Some("none");
         for (name, value) in &mut table {
             let Value::Table(table) = value else { continue };
             let replaced = replace_units(table, has_units).and_then(|()| replace_angles(table));
-            replaced
-                .map_err(|refusal| Section { file, name, table }.failure(refusal.name, &refusal.reason))?;
+            replaced.map_err(|(key, reason)| Section { file, name, table }.failure(key, reason))?;
         }
         Ok(Self { file: file.to_owned(), name: file.to_owned(), table })
     }
@@ -115,7 +114,7 @@ impl ScenarioFile {
     /// Top, and the numbers that are given for it. The motion is not read and may be missing.
     ///
     /// # Errors
-    /// [`Failure::Input`]: not a table `[top]` with exactly the keys it needs, in range.
+    /// [`Failure::input`]: not a table `[top]` with exactly the keys it needs, in range.
     pub fn top(&self) -> Result<(Top, TopParameters), Failure> {
         top::read(&self.section("top")?)
     }
@@ -123,9 +122,9 @@ impl ScenarioFile {
     /// Scenario.
     ///
     /// # Errors
-    /// [`Failure::Input`]: not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
+    /// [`Failure::input`]: not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
     pub fn scenario(&self) -> Result<Scenario, Failure> {
-        let refuse = |reason: String| Failure::Input(format!("{}: {reason}", self.file));
+        let refuse = |reason: String| Failure::input(reason).at(&self.file);
         if let Some(key) = self.table.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
             return Err(refuse(format!("{}: unknown key; allowed: units, top, motion", excerpt(key))));
         }
@@ -141,18 +140,18 @@ impl ScenarioFile {
     }
 
     fn section(&self, name: &'static str) -> Result<Section<'_>, Failure> {
-        let file = &*self.file;
-        match self.table.get(name) {
-            Some(Value::Table(table)) => Ok(Section { file, name, table }),
-            Some(_) => Err(Failure::Input(format!("{file}: {name}: must be a table, [{name}]"))),
-            None => Err(Failure::Input(format!("{file}: {name}: missing; must be a table, [{name}]"))),
-        }
+        let missing = match self.table.get(name) {
+            Some(Value::Table(table)) => return Ok(Section { file: &self.file, name, table }),
+            Some(_) => "",
+            None => "missing; ",
+        };
+        Err(Failure::input(format!("{name}: {missing}must be a table, [{name}]")).at(&self.file))
     }
 
     /// Key of the scenario's number with this name.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the scenario has no such number; the message lists those it has.
+    /// [`Failure::input`]: the scenario has no such number; the message lists those it has.
     pub fn require_key(&self, name: &str) -> Result<&'static str, Failure> {
         let word = self.table.get("motion").and_then(|motion| motion.get("kind")).and_then(Value::as_str);
         // a state has lists of numbers
@@ -160,8 +159,10 @@ impl ScenarioFile {
         let of_motion = KINDS.iter().find(is_kind).map_or(&[][..], |(_, kind)| motion::keys(*kind));
         let names: Vec<_> = top::KEYS.iter().chain(of_motion).map(|key| key.name).collect();
         names.iter().copied().find(|known| *known == name).ok_or_else(|| {
-            let (name, allowed) = (excerpt(name), names.join(", "));
-            Failure::Input(format!("{}: {name}: no number of this scenario; allowed: {allowed}", self.file))
+            let allowed = names.join(", ");
+            Failure::input(format!("no number of this scenario; allowed: {allowed}"))
+                .at(excerpt(name))
+                .at(&self.file)
         })
     }
 
@@ -207,8 +208,11 @@ pub fn keys_as_json() -> serde_json::Value {
     json!({ "supports": SUPPORTS.map(|(name, _)| name), "top": keys(&top::KEYS), "kinds": kinds })
 }
 
+/// Key, and the reason why its value is refused.
+type RefusedKey = (&'static str, String);
+
 /// Replaces numbers with units by numbers in the units of their keys.
-fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refusal> {
+fn replace_units(table: &mut Table, has_units: bool) -> Result<(), RefusedKey> {
     for Key { name, units, .. } in
         top::KEYS.iter().chain(KINDS.iter().flat_map(|(_, kind)| motion::keys(*kind)))
     {
@@ -223,22 +227,22 @@ fn replace_units(table: &mut Table, has_units: bool) -> Result<(), Refusal> {
                 continue;
             }
             if !has_units && *units != RADIANS {
-                return Err(Refusal::new(name, "must be a number, because of units = \"none\""));
+                return Err((name, "must be a number, because of units = \"none\"".to_owned()));
             }
-            *entry = Value::Float(units::parse(text, units).map_err(|reason| Refusal::new(name, reason))?);
+            *entry = Value::Float(units::parse(text, units).map_err(|reason| (*name, reason))?);
         }
     }
     Ok(())
 }
 
 /// Replaces the angles of a release, which have units, by angles in degrees.
-fn replace_angles(table: &mut Table) -> Result<(), Refusal> {
+fn replace_angles(table: &mut Table) -> Result<(), RefusedKey> {
     if table.get("kind").and_then(Value::as_str) != Some("release") {
         return Ok(());
     }
     for (key, in_degrees) in motion::ANGLES {
         let Some(value) = table.remove(key) else { continue };
-        let refuse = |reason| Refusal::new(key, reason);
+        let refuse = |reason| (key, reason);
         // a bare number would be ambiguous: degrees or radians
         let text = value.as_str().ok_or_else(|| {
             refuse(format!("must be a text with a unit, as \"20 deg\", or {in_degrees} a number"))

@@ -1,7 +1,7 @@
 //! One table of a TOML file. Each [`Key`] states its allowed values, by which the table is read.
 
 use super::units::UnitTable;
-use crate::Failure;
+use crate::{Failure, excerpt};
 use toml::{Table, Value};
 use toytop::ParameterError;
 
@@ -41,11 +41,11 @@ impl Key {
 /// Keys and values of a TOML file; `file` is its name in messages.
 ///
 /// # Errors
-/// [`Failure::Input`] with the line: no TOML.
+/// [`Failure::input`] with the line: no TOML.
 pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
     text.parse::<Table>().map_err(|error| {
         let line = error.span().map_or(1, |span| 1 + text[..span.start].matches('\n').count());
-        Failure::Input(format!("{file}: line {line}: must be TOML: {}", error.message()))
+        Failure::input(format!("must be TOML: {}", error.message())).at(format!("line {line}")).at(file)
     })
 }
 
@@ -59,9 +59,8 @@ pub struct Section<'a> {
 
 impl Section<'_> {
     /// Failure that names a key and the reason.
-    pub fn failure(&self, key: &str, reason: &str) -> Failure {
-        let [file, table, key, reason] = [self.file, self.name, key, reason].map(str::to_owned);
-        Failure::Key { file, table, key, reason }
+    pub fn failure(&self, key: &str, reason: impl Into<String>) -> Failure {
+        Failure::input(reason).at(format!("{}.{}", excerpt(self.name), excerpt(key))).at(self.file)
     }
 
     /// Failure that names the key of the core's error.
@@ -71,7 +70,7 @@ impl Section<'_> {
             "top" => "kind",
             key => key,
         };
-        self.failure(key, &format!("must be {}", error.allowed()))
+        self.failure(key, format!("must be {}", error.allowed()))
     }
 
     /// Refuses all keys except `names` and the key of `choice`.
@@ -88,7 +87,7 @@ impl Section<'_> {
         };
         let condition = choice.map_or_else(String::new, |(key, value)| format!(" with {key} = {value:?}"));
         let allowed = names.join(", ");
-        Err(self.failure(key, &format!("unknown or unneeded key; allowed{condition}: {allowed}")))
+        Err(self.failure(key, format!("unknown or unneeded key; allowed{condition}: {allowed}")))
     }
 
     /// Value of a key by `read`, or the default where it is missing.
@@ -99,8 +98,8 @@ impl Section<'_> {
         read: impl Fn(&Value) -> Option<T>,
     ) -> Result<T, Failure> {
         match self.table.get(key) {
-            Some(value) => read(value).ok_or_else(|| self.failure(key, &format!("must be {allowed}"))),
-            None => default.ok_or_else(|| self.failure(key, &format!("missing; must be {allowed}"))),
+            Some(value) => read(value).ok_or_else(|| self.failure(key, format!("must be {allowed}"))),
+            None => default.ok_or_else(|| self.failure(key, format!("missing; must be {allowed}"))),
         }
     }
 
@@ -148,7 +147,7 @@ impl Section<'_> {
 
     /// Failure for a number that is not allowed.
     pub fn not_allowed(&self, key: &Key) -> Failure {
-        self.failure(key.name, &format!("must be {}", key.allowed))
+        self.failure(key.name, format!("must be {}", key.allowed))
     }
 }
 

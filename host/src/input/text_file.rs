@@ -8,9 +8,9 @@ use std::path::Path;
 /// Text of a file of at most `most_mebibytes` MiB.
 ///
 /// # Errors
-/// [`Failure::Input`] with `name` in front: it cannot be read, is larger, or is not UTF-8.
+/// [`Failure::input`] with `name` in front: it cannot be read, is larger, or is not UTF-8.
 pub fn read(name: &str, path: &Path, most_mebibytes: u64) -> Result<String, Failure> {
-    let refuse = |reason: String| Failure::Input(format!("{name}: {reason}"));
+    let refuse = |reason: String| Failure::input(reason).at(name);
     let most = most_mebibytes << 20;
     let mut bytes = Vec::new();
     File::open(path)

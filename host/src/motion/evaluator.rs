@@ -11,6 +11,7 @@ pub use events::{EventKind, EventQuery, MotionEvent};
 pub use heap_table::{HeapTable, SEGMENTS};
 
 use crate::Failure;
+use crate::input::scenario::Scenario;
 use crate::motion::Scalar;
 use crate::motion::column::SampleColumn;
 use crate::motion::sample::MotionSample;
@@ -42,9 +43,17 @@ impl MotionEvaluator {
     /// Smallest table of a motion, or the closed form of an aperiodic motion, in ticks of [`TimedMotion::tick`].
     ///
     /// # Errors
-    /// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
+    /// [`Failure::method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
     pub fn new(motion: &TimedMotion, scalar: Scalar) -> Result<Self, Failure> {
         Self::with_settings(motion, scalar, &TableSettings::new(motion.tick()))
+    }
+
+    /// Evaluator of a scenario's motion in `f64`.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new), with the name of the scenario.
+    pub fn of_scenario(scenario: &Scenario) -> Result<Self, Failure> {
+        Self::new(&scenario.motion, Scalar::F64).map_err(|failure| failure.at(&scenario.name))
     }
 
     /// Evaluator as [`new`](Self::new) makes it, with other settings of its table, which a closed form does not have.
@@ -57,8 +66,7 @@ impl MotionEvaluator {
         settings: &TableSettings,
     ) -> Result<Self, Failure> {
         if let Some(form) = AperiodicMotion::new(motion) {
-            let reason =
-                || Failure::Method("an aperiodic motion has a closed form in f64, and no table".to_owned());
+            let reason = || Failure::method("an aperiodic motion has a closed form in f64, and no table");
             return (scalar == Scalar::F64).then(|| Self::with_closed_form(motion, form)).ok_or_else(reason);
         }
         match scalar {

@@ -30,7 +30,7 @@ const MAX_EVALUATIONS: u64 = 100_000_000;
 const UNUSABLE: &str = "the numbers of top, state and time must be finite and not too far apart in size";
 
 fn failure(reason: &str) -> Failure {
-    Failure::Method(format!("full solver: {reason}"))
+    Failure::method(format!("full solver: {reason}"))
 }
 
 /// Numerical integration of a motion from t = 0.
@@ -58,7 +58,7 @@ impl FullSolver {
     /// aperiodic: 3e-9 rad).
     ///
     /// # Errors
-    /// [`Failure::Method`]: the numbers are not finite, or too far apart in size.
+    /// [`Failure::method`]: the numbers are not finite, or too far apart in size.
     pub fn new(top: &Top, state: FullState, tolerance: f64) -> Result<Self, Failure> {
         let equations = Equations::new(top, &state);
         let Equations { a, pg, k, .. } = equations;
@@ -109,7 +109,7 @@ impl FullSolver {
     /// per nutation.
     ///
     /// # Errors
-    /// [`Failure::Method`]: the time is not finite, or it takes too many evaluations.
+    /// [`Failure::method`]: the time is not finite, or it takes too many evaluations.
     pub fn advance_to(&mut self, t: f64) -> Result<FullState, Failure> {
         let span = (t - self.time) * self.rate_unit;
         if !span.is_finite() {
@@ -191,11 +191,11 @@ pub fn initial_state(scenario: &Scenario) -> FullState {
 /// States of a scenario at these times, in their order.
 ///
 /// # Errors
-/// [`Failure::Method`]: the solver cannot integrate that far.
+/// [`Failure::method`]: the solver cannot integrate that far.
 pub fn states(scenario: &Scenario, times: &[f64]) -> Result<Vec<FullState>, Failure> {
     FullSolver::new(scenario.motion.top(), initial_state(scenario), FULL_SOLVER_TOLERANCE)
         .and_then(|start| step_to_each(times, || start.clone(), FullSolver::advance_to))
-        .map_err(|failure| failure.with_context(&scenario.name))
+        .map_err(|failure| failure.at(&scenario.name))
 }
 
 /// Equations for the change that is added to `from`.

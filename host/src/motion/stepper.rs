@@ -13,13 +13,13 @@ const MAX_STEPS: f64 = 1e10;
 /// Number of steps of size `step`, s, that reach all of `times`.
 ///
 /// # Errors
-/// [`Failure::Input`]: there would be more than 10^10 steps.
+/// [`Failure::input`]: there would be more than 10^10 steps.
 pub fn steps_needed(times: &[f64], step: f64) -> Result<u64, Failure> {
     let furthest = |sign: f64| times.iter().fold(0.0_f64, |most, t| most.max(sign * t));
     let steps = (furthest(1.0) + furthest(-1.0)) / step + times.len() as f64;
     if steps > MAX_STEPS {
         let reason = format!("{steps:.1e} steps of {step:.1e} s; must be at most 1e10 steps");
-        return Err(Failure::Input(reason));
+        return Err(Failure::input(reason));
     }
     Ok(steps as u64)
 }

@@ -1,6 +1,8 @@
 //! Curve of the tip, and the limits between which the axis and the tip stay.
 
 use crate::Failure;
+use crate::motion::Scalar;
+use crate::motion::evaluator::MotionEvaluator;
 use crate::pictures::{MAX_CYCLES, MotionSpan};
 use toytop::{Motion, Support};
 use toytop_model::timed_motion::TimedMotion;
@@ -54,9 +56,9 @@ impl TipCurve {
     /// Curve over about one turn of the tip around the centre.
     ///
     /// # Errors
-    /// [`Failure::Method`]: no table is large enough.
+    /// [`Failure::method`]: no table is large enough.
     pub fn new(motion: &TimedMotion) -> Result<Self, Failure> {
-        Ok(Self::over(&MotionSpan::new(motion, None, MAX_CYCLES)?))
+        Ok(Self::over(&MotionSpan::new(MotionEvaluator::new(motion, Scalar::F64)?, None, MAX_CYCLES)?))
     }
 
     /// Curve over a span of time.

@@ -23,15 +23,15 @@ pub fn toy_top() -> ScenarioFile {
 /// Page that starts with a motion.
 ///
 /// # Errors
-/// [`Failure::Input`]: as [`ScenarioFile::scenario`]. [`Failure::Tool`]: the program was compiled without WebAssembly. [`Failure::Method`]: no table fits the motion.
+/// [`Failure::input`]: as [`ScenarioFile::scenario`]. [`Failure::tool`]: the program was compiled without WebAssembly. [`Failure::method`]: no table fits the motion.
 pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
     if CORE.is_empty() {
         let install = "rustup target add wasm32-unknown-unknown, then install toytop again";
-        return Err(Failure::Tool(format!("this toytop was compiled without the page: {install}")));
+        return Err(Failure::tool(format!("this toytop was compiled without the page: {install}")));
     }
     let scenario = start.scenario()?;
     if !PageTable::fits(&scenario.motion) {
-        return Err(Failure::Method("no table: that of the page is too small for this motion".to_owned()));
+        return Err(Failure::method("no table: that of the page is too small for this motion"));
     }
     let data = json!({
         "name": scenario.name,

@@ -16,7 +16,7 @@ use toytop_model::timed_motion::TimedMotion;
 pub struct Scorer {
     evaluator: MotionEvaluator,
     /// Command that prints the state from which a run has to start.
-    start: String,
+    start_command: String,
 }
 
 /// Errors of one trajectory. Their names are the keys of JSON.
@@ -55,23 +55,23 @@ pub struct Score {
 const SUSPECT_DISTANCE: f64 = 0.01;
 
 impl Scorer {
-    /// Exact motion, by its table in `f64`; `start` is the command that prints the state from which a run has to start.
+    /// Exact motion, by its table in `f64`; `start_command` is the command that prints the state from which a run has to start.
     ///
     /// # Errors
-    /// [`Failure::Method`]: no table is large enough.
-    pub fn new(motion: &TimedMotion, start: &str) -> Result<Self, Failure> {
+    /// [`Failure::method`]: no table is large enough.
+    pub fn new(motion: &TimedMotion, start_command: &str) -> Result<Self, Failure> {
         let evaluator = MotionEvaluator::new(motion, Scalar::F64)?;
-        Ok(Self { evaluator, start: start.to_owned() })
+        Ok(Self { evaluator, start_command: start_command.to_owned() })
     }
 
     /// Errors of a trajectory.
     ///
     /// # Errors
-    /// [`Failure::Input`]: a time at which the motion cannot be evaluated.
+    /// [`Failure::input`]: a time at which the motion cannot be evaluated.
     pub fn score(&self, Trajectory { name, rows, .. }: &Trajectory) -> Result<Score, Failure> {
         let furthest = greatest(rows.iter().map(|row| row.t.abs()));
         require_within([furthest], self.evaluator.furthest_time(), " s")
-            .map_err(|failure| failure.with_context(&format!("{name}: t")))?;
+            .map_err(|failure| failure.at("t").at(name))?;
         let errors: Vec<_> = rows.iter().map(|row| self.errors(row)).collect();
         let mean_square = errors.iter().map(|[error, _]| error * error).sum::<f64>() / rows.len() as f64;
         let drifts = self.drifts(rows);
@@ -134,7 +134,7 @@ impl Scorer {
         } else {
             return None;
         };
-        Some(format!("{reason} does the run start from the state of this motion? ({})", self.start))
+        Some(format!("{reason} does the run start from the state of this motion? ({})", self.start_command))
     }
 }
 

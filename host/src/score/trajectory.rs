@@ -50,14 +50,13 @@ impl Trajectory {
     /// Trajectory of a file.
     ///
     /// # Errors
-    /// [`Failure::Input`] with the file and the line: a column is missing, a value is not a finite number or no rotation, or a time is out
+    /// [`Failure::input`] with the file and the line: a column is missing, a value is not a finite number or no rotation, or a time is out
     /// of order.
     pub fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        match Self::parse(&text_file::read(&name, path, csv_rows::MAX_FILE_MIB)?) {
-            Ok(trajectory) => Ok(Self { name, ..trajectory }),
-            Err(reason) => Err(Failure::Input(format!("{name}: {reason}"))),
-        }
+        let text = text_file::read(&name, path, csv_rows::MAX_FILE_MIB)?;
+        let trajectory = Self::parse(&text).map_err(|reason| Failure::input(reason).at(&name))?;
+        Ok(Self { name, ..trajectory })
     }
 
     fn parse(text: &str) -> Result<Self, String> {
@@ -86,10 +85,10 @@ impl Trajectory {
         for record in records {
             let (line, record) = record?;
             let row = parse_row(&header, &record).map_err(|reason| format!("line {line}: {reason}"))?;
-            let goes_on = rows.last().is_none_or(|last| {
+            let is_monotone = rows.last().is_none_or(|last| {
                 row.t != last.t && (rows.len() == 1 || (row.t > last.t) == (last.t > rows[0].t))
             });
-            if !goes_on {
+            if !is_monotone {
                 return Err(format!("line {line}: t: must go on in one direction from row to row"));
             }
             rows.push(row);

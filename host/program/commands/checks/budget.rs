@@ -85,12 +85,13 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
     let chips = arguments.chips();
     if let Some(elf) = &arguments.elf {
         let [chip] = chips[..] else {
-            return Err(Failure::Input("--elf: needs one --chip, for which the file was built".into()));
+            return Err(Failure::input("--elf: needs one --chip, for which the file was built"));
         };
         let costs = measure(chip, elf).map_err(|error| failure(chip, error))?;
         return Ok(report_on_calls(arguments, &BTreeMap::from([(chip.name.to_owned(), costs)])));
     }
-    let root = repository("budget without --elf", "firmware-examples/measure/cost")?;
+    let root =
+        repository("firmware-examples/measure/cost").map_err(|failure| failure.at("budget without --elf"))?;
     if arguments.corpus {
         return report_on_launches(arguments, &root, chips);
     }
@@ -122,8 +123,8 @@ pub fn run(arguments: &BudgetArgs) -> Result<Report, Failure> {
 /// Failure of a measurement on a chip.
 fn failure(chip: &Chip, error: io::Error) -> Failure {
     match error.kind() {
-        io::ErrorKind::InvalidInput => Failure::Input(error.to_string()),
-        _ => Failure::Tool(format!("budget: {}: {error}", chip.name)),
+        io::ErrorKind::InvalidInput => Failure::input(error.to_string()),
+        _ => Failure::tool(format!("budget: {}: {error}", chip.name)),
     }
 }
 

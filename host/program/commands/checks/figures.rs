@@ -8,6 +8,7 @@ use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;
 use toytop_host::input::builtin;
+use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::pictures::{MAX_CYCLES, MotionSpan};
 
 /// Curves of figures 2 and 3 of the paper, as SVG
@@ -24,7 +25,7 @@ pub fn run(arguments: &FiguresArgs) -> Result<Report, Failure> {
     std::fs::create_dir_all(folder).map_err(|error| whole_file::refused("--output", folder, error))?;
     let mut text = String::new();
     for scenario in builtin::figures() {
-        let span = MotionSpan::new(&scenario.motion, None, MAX_CYCLES)?;
+        let span = MotionSpan::new(MotionEvaluator::of_scenario(&scenario)?, None, MAX_CYCLES)?;
         let scene = tip::draw(&scenario, &span);
         let path = folder.join(scenario.name.replace([' ', '='], "_") + ".svg");
         drawing::write("--output", &path, &scene, None)?;

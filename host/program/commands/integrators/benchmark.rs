@@ -9,7 +9,6 @@ use clap::Args;
 use serde_json::{Value, json};
 use std::iter::once;
 use toytop_host::Failure;
-use toytop_host::motion::Scalar;
 use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::output::{self, Format};
 
@@ -45,7 +44,7 @@ fn row<T: Into<Value>>(values: impl Iterator<Item = T>) -> Value {
 pub fn run(arguments: &BenchmarkArgs) -> Result<Report, Failure> {
     let BenchmarkArgs { name, times, scenario, format } = arguments;
     let Some(name) = name else { return list_problems(*format) };
-    let problem = problem_files::find(name).map_err(|failure| failure.with_context("benchmark"))?;
+    let problem = problem_files::find(name).map_err(|failure| failure.at("benchmark"))?;
     if *scenario {
         return Ok(problem.text.to_owned().into());
     }
@@ -112,8 +111,7 @@ fn reference_row(sample: &ReferenceSample) -> Value {
 fn computed_rows(problem: &Problem, times: &Values) -> Result<Vec<Value>, Failure> {
     let Problem { scenario, about, .. } = problem;
     let times = Times::new("--times".to_owned(), times)?;
-    let evaluator = MotionEvaluator::new(&scenario.motion, Scalar::F64)
-        .map_err(|failure| failure.with_context(&scenario.name))?;
+    let evaluator = MotionEvaluator::of_scenario(scenario)?;
     times.require_within(evaluator.furthest_time(), "")?;
     let computed = |t: &f64| {
         let sample = evaluator.at(*t);

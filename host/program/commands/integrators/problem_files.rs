@@ -92,10 +92,10 @@ pub fn all() -> Vec<Problem> {
 /// Problem of this name.
 ///
 /// # Errors
-/// [`Failure::Input`]: there is no such problem; the message lists the names.
+/// [`Failure::input`]: there is no such problem; the message lists the names.
 pub fn find(name: &str) -> Result<Problem, Failure> {
     all().into_iter().find(|problem| problem.scenario.name == name).ok_or_else(|| {
         let names = FILES.map(|(name, ..)| name).join(", ");
-        Failure::Input(format!("{}: must be one of {names}", excerpt(name)))
+        Failure::input(format!("must be one of {names}")).at(excerpt(name))
     })
 }

@@ -103,30 +103,30 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
     let inputs: Vec<_> = files.iter().map(|path| Some(&**path)).collect();
     whole_file::require_other("--plot", plot.as_deref(), &inputs)?;
     let problem = benchmark.as_deref().map(problem_files::find).transpose();
-    let problem = problem.map_err(|failure| failure.with_context("--benchmark"))?;
+    let problem = problem.map_err(|failure| failure.at("--benchmark"))?;
     // command that prints the state from which a run has to start
-    let (scenario, start, results) = match (&problem, &files[..]) {
+    let (scenario, start_command, results) = match (&problem, &files[..]) {
         (Some(problem), results) if !results.is_empty() => {
-            let start = format!("toytop benchmark {} --times 0 --format csv", problem.scenario.name);
-            (problem.scenario.clone(), start, results)
+            let start_command = format!("toytop benchmark {} --times 0 --format csv", problem.scenario.name);
+            (problem.scenario.clone(), start_command, results)
         }
         (None, [scenario, results @ ..]) if !results.is_empty() => {
             (Scenario::read(scenario)?, format!("toytop state {} --times 0", scenario.display()), results)
         }
         _ => {
-            return Err(Failure::Input(
-                "score: needs SCENARIO RESULT.csv..., or --benchmark NAME RESULT.csv...".into(),
+            return Err(Failure::input(
+                "score: needs SCENARIO RESULT.csv..., or --benchmark NAME RESULT.csv...",
             ));
         }
     };
     if !steps.is_empty() && steps.len() != results.len() {
-        return Err(Failure::Input(format!(
+        return Err(Failure::input(format!(
             "--steps: needs one number for each file, {} in all",
             results.len()
         )));
     }
     let reference =
-        Scorer::new(&scenario.motion, &start).map_err(|failure| failure.with_context(&scenario.name))?;
+        Scorer::new(&scenario.motion, &start_command).map_err(|failure| failure.at(&scenario.name))?;
     let axes = problem.as_ref().map_or(Orientation::IDENTITY, |problem| problem.about.body_axes());
     let (mut files, mut warnings) = (Vec::new(), Vec::new());
     for (index, path) in results.iter().enumerate() {
@@ -213,7 +213,7 @@ fn draw(
         let steps = file.step.map(|step| period / step);
         let work = if counted { file.evaluations } else { steps }.ok_or_else(|| {
             let needed = "needs a line # evaluations = N in every file, or --steps";
-            Failure::Input(format!("--plot: {}: {needed}, because its rows are uneven", file.name))
+            Failure::input(format!("{needed}, because its rows are uneven")).at(&file.name).at("--plot")
         })?;
         Ok([work, file.score.max_error_rad])
     };

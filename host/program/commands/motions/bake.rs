@@ -67,7 +67,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     whole_file::require_other("--output", arguments.output.as_deref(), &[Some(&arguments.scenario)])?;
     let scenario = Scenario::read(&arguments.scenario)?;
     let [ticks, seconds] = arguments.hertz;
-    let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
+    let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::input(format!("--hertz: {error}")))?;
     let title = TableTitle {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
@@ -96,8 +96,11 @@ fn baked<R: TableScalar<Coefficient: Into<f64>>>(
     crc32: fn(&Table<R>) -> u32,
 ) -> Result<[String; 2], Failure> {
     let segments = arguments.segments.map_or(least..=*SEGMENTS.end(), |segments| segments..=segments);
-    let table = HeapTable::new(&scenario.motion, &TableSettings::new(tick), segments)
-        .map_err(|failure| failure.with_option_or_motion("--segments", &scenario.name))?;
+    // exit code 2: no table has this number of segments; 3: no table of the motion
+    let table = HeapTable::new(&scenario.motion, &TableSettings::new(tick), segments).map_err(|failure| {
+        let is_input = failure.exit_code() == 2;
+        failure.at(if is_input { "--segments" } else { &scenario.name })
+    })?;
     let table = table.table();
     let text = match arguments.lang {
         Language::Rust => module(title, table, crc32(table)),

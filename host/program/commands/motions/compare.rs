@@ -96,7 +96,7 @@ pub fn run(arguments: &CompareArgs) -> Result<Report, Failure> {
     }
     let failures: Vec<_> = failures.iter().map(Failure::to_string).collect();
     if motions.is_empty() {
-        return Err(Failure::Method(failures.join("; ")));
+        return Err(Failure::method(failures.join("; ")));
     }
     let check_failed = !failures.is_empty();
     notes.extend(failures.into_iter().chain(warnings(&scenarios)));
@@ -142,7 +142,7 @@ fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
 /// Comparisons of a motion, one for each propagator.
 ///
 /// # Errors
-/// [`Failure::Method`]: the full solver cannot integrate that far.
+/// [`Failure::method`]: the full solver cannot integrate that far.
 fn compare<'a>(
     scenario: &'a Scenario,
     arguments: &CompareArgs,

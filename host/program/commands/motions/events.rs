@@ -12,7 +12,6 @@ use toytop::{Phase, Support};
 use toytop_host::Failure;
 use toytop_host::input::require_within;
 use toytop_host::input::scenario::{Scenario, Units};
-use toytop_host::motion::Scalar;
 use toytop_host::motion::evaluator::{EventKind, EventQuery, MotionEvaluator, MotionEvent};
 use toytop_host::motion::sample::MotionSample;
 use toytop_host::output::{self, Format, error_text, or_dash, significant};
@@ -80,21 +79,19 @@ fn kind(text: &str) -> Result<KindArgument, String> {
 pub fn run(arguments: &EventsArgs) -> Result<Report, Failure> {
     let scenario = Scenario::read(&arguments.scenario)?;
     let (motion, from, count) = (&scenario.motion, arguments.from, arguments.count as usize);
-    let evaluator =
-        MotionEvaluator::new(motion, Scalar::F64).map_err(|failure| failure.with_context(&scenario.name))?;
-    require_within([from], evaluator.furthest_time(), " s")
-        .map_err(|failure| failure.with_context("--from"))?;
+    let evaluator = MotionEvaluator::of_scenario(&scenario)?;
+    require_within([from], evaluator.furthest_time(), " s").map_err(|failure| failure.at("--from"))?;
     let mut events = Vec::new();
     for argument in &arguments.kinds {
         let KindArgument { kind, upward, text } = argument;
         if *kind == EventKind::LiftOff && motion.top().support() != Support::Sliding {
             let reason = "--kind: lift-off: none, because the tip does not slide on a plane";
-            return Err(Failure::Method(reason.to_owned()));
+            return Err(Failure::method(reason));
         }
         // only a circle depends on the top
         let refused = |_| {
             let below = significant(motion.top().tip_scale(), 6);
-            Failure::Input(format!("--kind: {text}: must be above 0 and below {below}"))
+            Failure::input(format!("--kind: {text}: must be above 0 and below {below}"))
         };
         let query = EventQuery { kind: *kind, from, upward: *upward, count };
         let matching = evaluator.events(&query).map_err(refused)?;

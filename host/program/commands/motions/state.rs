@@ -109,19 +109,19 @@ fn sampler(
 ) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
     if arguments.steps_per_period.is_some() && arguments.method != Method::Stepper {
-        return Err(Failure::Input("--steps-per-period: needs --method stepper".to_owned()));
+        return Err(Failure::input("--steps-per-period: needs --method stepper"));
     }
     let samples = match (arguments.method, arguments.scalar) {
         (Method::Table, scalar) => return table_sampler(scalar, scenario, times, rate),
         (Method::Stepper, Scalar::Q31 | Scalar::Q15) => {
             let name = arguments.scalar.name();
             let reason = format!("none in {name}: use --method ephemeris, which has {name}");
-            return Err(Failure::Input(format!("--method stepper: {reason}")));
+            return Err(Failure::input(format!("--method stepper: {reason}")));
         }
         (Method::Stepper, scalar) => {
             let step = motion.characteristic_time() / f64::from(arguments.steps_per_period.unwrap_or(4096));
             let option = arguments.steps_per_period.map_or(&*times.option, |_| "--steps-per-period");
-            let steps = steps_needed(&times.seconds, step).map_err(|failure| failure.with_context(option))?;
+            let steps = steps_needed(&times.seconds, step).map_err(|failure| failure.at(option))?;
             let progress = Progress::new(steps, "steps");
             let samples = match scalar {
                 Scalar::F64 => stepper::samples::<f64>,
@@ -133,7 +133,7 @@ fn sampler(
         (Method::ClosedForm, Scalar::F64) => return closed_form_sampler(scenario, times),
         (method, scalar) => {
             let (name, method) = (scalar.name(), method.name());
-            return Err(Failure::Input(format!("--scalar: {name}: must be f64 with --method {method}")));
+            return Err(Failure::input(format!("--scalar: {name}: must be f64 with --method {method}")));
         }
     };
     Ok(Box::new(move |index| samples[index as usize]))
@@ -160,13 +160,13 @@ fn table_sampler(
 ) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
     let named = |failure: Failure| match scalar {
-        Scalar::F64 => failure.with_context(&scenario.name),
-        _ => failure.with_context(&format!("{}: --scalar: {}", scenario.name, scalar.name())),
+        Scalar::F64 => failure.at(&scenario.name),
+        _ => failure.at(scalar.name()).at("--scalar").at(&scenario.name),
     };
     let (mut settings, in_ticks) = (TableSettings::new(motion.tick()), !times.ticks.is_empty());
     if in_ticks {
         let tick = Tick::ratio(rate[0], rate[1]);
-        settings.tick = tick.map_err(|error| Failure::Input(format!("--hertz: {error}")))?;
+        settings.tick = tick.map_err(|error| Failure::input(format!("--hertz: {error}")))?;
     }
     let evaluator = MotionEvaluator::with_settings(motion, scalar, &settings).map_err(named)?;
     // every tick of 64 bits is in reach of a table
@@ -184,7 +184,7 @@ fn table_sampler(
 fn closed_form_sampler(scenario: &Scenario, times: Times) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
     let form = ClosedForm::from_motion(motion)
-        .map_err(|refusal| Failure::Method(refusal.to_string()).with_context(&scenario.name))?;
+        .map_err(|refusal| Failure::method(refusal.to_string()).at(&scenario.name))?;
     let furthest = motion.furthest_time_of_closed_form();
     times.require_within(furthest, " with --method closed-form")?;
     let angle = TipAngle::new(motion);

@@ -14,6 +14,7 @@ use std::io::BufWriter;
 use std::path::PathBuf;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
+use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::pictures::MotionSpan;
 
 /// Animation of a motion, as a GIF
@@ -50,8 +51,9 @@ pub fn run(arguments: &AnimateArgs) -> Result<Report, Failure> {
     let AnimateArgs { scenario, span, duration, size, output } = arguments;
     let scenario = Scenario::read(scenario)?;
     let frames = (100.0 * duration / f64::from(HUNDREDTHS)).round().max(2.0) as u64;
-    let span = MotionSpan::new(&scenario.motion, *span, (frames / FRAMES_PER_CYCLE) as f64)
-        .map_err(|failure| failure.with_option_or_motion("--span", &scenario.name))?;
+    let evaluator = MotionEvaluator::of_scenario(&scenario)?;
+    let span = MotionSpan::new(evaluator, *span, (frames / FRAMES_PER_CYCLE) as f64)
+        .map_err(|failure| failure.at("--span"))?;
     let film = Film { scenario: &scenario, span: &span, frames, size: *size };
     let progress = Progress::new(frames, "frames");
     whole_file::write_by("--output", output, |file| film.gif(HUNDREDTHS, BufWriter::new(file), &progress))?;

@@ -38,9 +38,9 @@ pub fn frame(plots: &[Plot], title: &str, label: &str, [x, y]: [[f64; 2]; 2]) ->
 /// Writes a picture, encoded as by [`encoded`].
 ///
 /// # Errors
-/// The failures of [`whole_file::write`], or [`Failure::Output`]: the picture cannot be encoded.
+/// The failures of [`whole_file::write`], or [`Failure::output`]: the picture cannot be encoded.
 pub fn write(option: &str, path: &Path, scene: &Scene, width: Option<u32>) -> Result<(), Failure> {
-    let bytes = encoded(path, scene, width).map_err(Failure::Output)?;
+    let bytes = encoded(path, scene, width).map_err(Failure::output)?;
     whole_file::write(option, path, &bytes)
 }
 

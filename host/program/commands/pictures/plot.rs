@@ -21,6 +21,7 @@ use kuva::render::render::Scene;
 use std::path::PathBuf;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
+use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::pictures::{MAX_CYCLES, MotionSpan};
 
 /// Picture of a motion: curve of the tip or axis, tilt, precession, potential
@@ -77,12 +78,12 @@ fn scene(arguments: &PlotArgs, scenario: &Scenario) -> Result<Scene, Failure> {
     let ends = arguments.span;
     if arguments.kind == PlotKind::Potential {
         if ends.is_some() {
-            return Err(Failure::Input("--span: not for --kind potential".to_owned()));
+            return Err(Failure::input("--span: not for --kind potential"));
         }
         return Ok(potential::draw(scenario));
     }
-    let span = MotionSpan::new(&scenario.motion, ends, MAX_CYCLES)
-        .map_err(|failure| failure.with_option_or_motion("--span", &scenario.name))?;
+    let evaluator = MotionEvaluator::of_scenario(scenario)?;
+    let span = MotionSpan::new(evaluator, ends, MAX_CYCLES).map_err(|failure| failure.at("--span"))?;
     Ok(match arguments.kind {
         PlotKind::Tilt => angles::tilt(scenario, &span),
         PlotKind::Precession => angles::precession(scenario, &span)?,

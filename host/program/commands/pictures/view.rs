@@ -31,7 +31,7 @@ pub fn run(arguments: &ViewArgs) -> Result<Report, Failure> {
         None => page::toy_top(),
     };
     let scenario = start.scenario()?;
-    let html = page::html(&start).map_err(|failure| failure.with_context(&scenario.name))?;
+    let html = page::html(&start).map_err(|failure| failure.at(&scenario.name))?;
     whole_file::write("--output", &arguments.output, html.as_bytes())?;
     Ok(Report::default().with_notes(warnings(&[scenario])))
 }

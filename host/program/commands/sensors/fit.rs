@@ -17,7 +17,7 @@ use toytop_host::fit::sensors::{Sensors, centre_of_mass};
 use toytop_host::fit::summary::FitSummary;
 use toytop_host::input::scenario::ScenarioFile;
 use toytop_host::output::{self, Format};
-use toytop_host::{Failure, Refusal, excerpt};
+use toytop_host::{Failure, excerpt};
 
 /// Launch of a top from samples of sensors, with error bars
 ///
@@ -78,12 +78,16 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let table = scenario.table.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
     let samples = samples.display();
-    let fit = fit_launch(input, &measurements).map_err(|Refusal { name, reason }| {
-        Failure::Input(match name {
-            "samples" => format!("{samples}: {reason}"),
-            "huber" | "drift" => format!("--{name}: {reason}"),
-            _ => format!("--{name}: {reason} ({})", scenario.file),
-        })
+    let fit = fit_launch(input, &measurements).map_err(|mut failure| {
+        let name = failure.path.remove(0);
+        match &*name {
+            "samples" => failure.at(samples.to_string()),
+            "free" => {
+                failure.reason += &format!(" ({})", scenario.file);
+                failure.at("--free")
+            }
+            _ => failure.at(format!("--{name}")),
+        }
     })?;
     let converged = fit.fitted.is_trusted();
     let mut notes = Vec::new();
@@ -104,7 +108,7 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     if let Some(path) = &arguments.plot_residuals {
         if fit.used_any_sample() {
             let picture = drawing::encoded(path, &residuals::draw(&fit, &measurements), None);
-            files.push(("--plot-residuals", path, picture.map_err(Failure::Output)?));
+            files.push(("--plot-residuals", path, picture.map_err(Failure::output)?));
         } else {
             notes.push(not_written(path, "there is no launch"));
         }

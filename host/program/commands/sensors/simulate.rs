@@ -44,11 +44,11 @@ pub fn run(arguments: &SimulateArgs) -> Result<Report, Failure> {
     let sensors = Sensors::read(arguments.sensors.as_deref(), com)?;
     let recording =
         Recording::new(arguments.sample_rate, arguments.duration, arguments.seed).ok_or_else(|| {
-            Failure::Input(format!("--sample-rate, --duration: must give from 1 to {MAX_SAMPLES:e} samples"))
+            Failure::input(format!("--sample-rate, --duration: must give from 1 to {MAX_SAMPLES:e} samples"))
         })?;
     let samples = simulate_measurements(&scenario.motion, &sensors, &recording).ok_or_else(|| {
         let reason = "the motion has no period, and cannot be followed for so long";
-        Failure::Method(format!("{}: {reason}", scenario.name))
+        Failure::method(reason).at(&scenario.name)
     })?;
     let text = columns::csv(&sensors, &samples);
     file_or_stdout::write(Some(&arguments.output), |out| out.write_all(text.as_bytes()))?;

@@ -81,7 +81,7 @@ pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failur
             let numbers = section.only_numbers(choice, &BRANCH_POINTS)?;
             for (key, sign) in [("sign_l_plus_n", numbers[3]), ("sign_l_minus_n", numbers[4])] {
                 if sign.abs() != 1.0 {
-                    return Err(section.failure(key, &format!("must be {SIGN}")));
+                    return Err(section.failure(key, format!("must be {SIGN}")));
                 }
             }
             (numbers, "kind")

@@ -45,7 +45,7 @@ impl<R: TableScalar> HeapTable<R> {
     /// * `segments`: least and greatest number; any other is a power of two
     ///
     /// # Errors
-    /// [`Failure::Input`]: no table has this many segments. [`Failure::Method`]: they are too few; the message states a sufficient number.
+    /// [`Failure::input`]: no table has this many segments. [`Failure::method`]: they are too few; the message states a sufficient number.
     pub fn new(
         motion: &Motion,
         settings: &TableSettings,
@@ -62,7 +62,7 @@ impl<R: TableScalar> HeapTable<R> {
             }
         }
         let Some(error) = refusal else {
-            return Err(Failure::Input(format!("{least}: must be one of {CAPACITIES:?}")));
+            return Err(Failure::input(format!("must be one of {CAPACITIES:?}")).at(least.to_string()));
         };
         let hint = if let SetUpError::TableTooSmall { truncation, .. } = error {
             let needed = Table::<R>::segments_needed(motion, truncation).unwrap_or(u32::MAX);
@@ -73,7 +73,7 @@ impl<R: TableScalar> HeapTable<R> {
         } else {
             String::new()
         };
-        Err(Failure::Method(format!("no table: {error}{hint}")))
+        Err(Failure::method(format!("no table: {error}{hint}")))
     }
 
     /// Table itself.

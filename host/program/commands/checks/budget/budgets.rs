@@ -44,7 +44,7 @@ impl Budgets {
     /// Budgets of a file.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the file cannot be read, or as [`Budgets::parse`].
+    /// [`Failure::input`]: the file cannot be read, or as [`Budgets::parse`].
     pub fn read(path: &Path) -> Result<Self, Failure> {
         Self::parse(&text_file::read(&path.display().to_string(), path, 1)?)
     }
@@ -66,9 +66,9 @@ impl Budgets {
     /// Budgets of the text of a file.
     ///
     /// # Errors
-    /// [`Failure::Input`]: the text is not of the form that [`Budgets::to_toml`] writes.
+    /// [`Failure::input`]: the text is not of the form that [`Budgets::to_toml`] writes.
     pub fn parse(text: &str) -> Result<Self, Failure> {
-        toml::from_str(text).map_err(|error| Failure::Input(format!("budgets.toml: {}", error.message())))
+        toml::from_str(text).map_err(|error| Failure::input(error.message()).at("budgets.toml"))
     }
 
     /// Expected cost of a call on a chip.

@@ -41,7 +41,7 @@ fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> MotionSample) -> 
 /// Run of a method at the times, which cover this number of periods.
 ///
 /// # Errors
-/// [`Failure::Method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
+/// [`Failure::method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 pub fn run(
     (method, scalar): (Method, Scalar),
     motion: &TimedMotion,

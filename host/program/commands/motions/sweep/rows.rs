@@ -35,7 +35,7 @@ impl Sweep {
     /// Sweep of a scenario over these values, each in the unit of its key.
     ///
     /// # Errors
-    /// [`Failure::Input`]: no varied key, a key that the scenario does not have or that is given twice, a range in a grid, or a file that
+    /// [`Failure::input`]: no varied key, a key that the scenario does not have or that is given twice, a range in a grid, or a file that
     /// is no scenario for another reason than the numbers that vary.
     pub fn new(
         template: ScenarioFile,
@@ -45,36 +45,35 @@ impl Sweep {
         times: u32,
         periods: f64,
     ) -> Result<Self, Failure> {
-        let refuse = |reason: String| Err(Failure::Input(reason));
         if varied.is_empty() {
-            return refuse("a sweep: needs at least one of --spin, --tilt, ..., --vary".to_owned());
+            return Err(Failure::input("a sweep: needs at least one of --spin, --tilt, ..., --vary"));
         }
         let mut by_key: Vec<(&'static str, Values)> = Vec::new();
         for (name, values) in varied {
             let key = template.require_key(&name)?;
             if by_key.iter().any(|(other, _)| *other == key) {
-                return refuse(format!("{name}: must be given once only"));
+                return Err(Failure::input("must be given once only").at(name));
             }
             if sample.is_none() && values.count().is_none() {
                 let forms = "must be LOW..HIGH/COUNT or numbers (or draw a sample: --motions N)";
-                return refuse(format!("{name}: a range in a grid: {forms}"));
+                return Err(Failure::input(forms).at("a range in a grid").at(name));
             }
             by_key.push((key, values));
         }
         let grid = || by_key.iter().try_fold(1_u64, |count, (_, values)| count.checked_mul(values.size()));
         let Some(count) = sample.map(|(motions, _)| motions).or_else(grid).filter(|n| *n <= MAX_MOTIONS)
         else {
-            return refuse(format!("a grid: must have at most {:e} motions", MAX_MOTIONS as f64));
+            let reason = format!("a grid: must have at most {:e} motions", MAX_MOTIONS as f64);
+            return Err(Failure::input(reason));
         };
         let sweep = Self { template, varied: by_key, sample, count, columns, times, periods };
         // a file that is no scenario may lack only numbers that vary
         let first = |_| sweep.template.with_numbers(&sweep.numbers(0));
         match sweep.template.scenario().or_else(first) {
-            Err(Failure::Key { key, .. }) if sweep.varied.iter().any(|(varied, _)| *varied == key) => {
-                Ok(sweep)
+            Err(failure) if !sweep.varied.iter().any(|(key, _)| key_of(&failure) == Some(key)) => {
+                Err(failure)
             }
-            Err(failure) => Err(failure),
-            Ok(_) => Ok(sweep),
+            _ => Ok(sweep),
         }
     }
 
@@ -119,14 +118,19 @@ impl Sweep {
     /// Reason why the scenario refuses the numbers of a row, beginning with the key, and with its value if it varies.
     pub fn refusal(&self, index: u64) -> Option<String> {
         let numbers = self.numbers(index);
-        Some(match self.motion(&numbers).err()? {
-            Failure::Key { table, key, reason, .. } => {
-                match numbers.iter().find(|(varied, _)| *varied == key) {
-                    Some((key, number)) => format!("{key} = {}: {reason}", significant(*number, 5)),
-                    None => format!("{table}.{key}: {reason}"),
-                }
-            }
-            failure => failure.to_string(),
-        })
+        let mut failure = self.motion(&numbers).err()?;
+        let varied = numbers.iter().find(|(varied, _)| key_of(&failure) == Some(varied));
+        failure.path = match varied {
+            Some((key, number)) => vec![format!("{key} = {}", significant(*number, 5))],
+            // the file is the same in all rows
+            None => failure.path.split_off(1),
+        };
+        Some(failure.to_string())
     }
+}
+
+/// Key of the scenario file that a failure is about.
+fn key_of(failure: &Failure) -> Option<&str> {
+    let [_, key] = &failure.path[..] else { return None };
+    key.split_once('.').map(|(_, key)| key)
 }

@@ -47,11 +47,11 @@ fn without_rounding(degrees: f64) -> f64 {
 /// Azimuth of the axis, continued over whole turns, and its mean motion, against time.
 ///
 /// # Errors
-/// [`Failure::Method`]: the axis is vertical at all times.
+/// [`Failure::method`]: the axis is vertical at all times.
 pub fn precession(scenario: &Scenario, span: &MotionSpan) -> Result<Scene, Failure> {
     // the axis leans in the direction opposite to the tip, so that its azimuth differs from the tip angle by half a turn
     let start = span.at(0.0).tip_angle.ok_or_else(|| {
-        Failure::Method(format!(
+        Failure::method(format!(
             "{}: the axis is vertical at all times, so that it has no azimuth",
             scenario.name
         ))
