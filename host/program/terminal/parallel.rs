@@ -44,7 +44,7 @@ pub fn write_rows(
 ///
 /// # Errors
 /// The failures of [`map`].
-pub fn compute_all<T: Send>(
+pub fn map_with_progress<T: Send>(
     count: u64,
     unit: &'static str,
     compute: impl Fn(u64) -> T + Send + Sync,

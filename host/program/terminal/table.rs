@@ -28,8 +28,8 @@ impl TextTable {
         }
     }
 
-    /// Table with one column for each field, headed by the field's name. Numbers have `digits` significant digits; `-` is an absent value. The first columns of words are
-    /// aligned to the left.
+    /// Table with one column for each field, headed by the field's name. Numbers have `digits` significant digits; `-` is an absent
+    /// value. The first columns of words are aligned to the left.
     pub fn of_fields(rows: &[impl Serialize], digits: usize) -> Self {
         let rows: Vec<_> = rows.iter().map(fields).collect();
         let header = rows.iter().take(1).flatten().map(|(name, _)| name);

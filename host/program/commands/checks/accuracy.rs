@@ -2,7 +2,7 @@
 
 use crate::arguments::options::{Scalars, scalars};
 use crate::files::doc_page::DocPage;
-use crate::terminal::parallel::compute_all;
+use crate::terminal::parallel::map_with_progress;
 use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use clap::Args;
@@ -124,7 +124,7 @@ fn errors_by_octave(scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
     let motions: Vec<_> = builtin::scenarios().iter().filter_map(input_of).collect();
     let errors = |motion: u64| errors_of_motion(&motions[motion as usize], scalars);
     let mut greatest = vec![vec![Errors::default(); OCTAVES + 1]; scalars.len()];
-    for errors in compute_all(motions.len() as u64, "motions", errors)? {
+    for errors in map_with_progress(motions.len() as u64, "motions", errors)? {
         greatest.iter_mut().flatten().zip(errors?.iter().flatten()).for_each(|(a, b)| *a = a.greater(*b));
     }
     Ok(greatest)

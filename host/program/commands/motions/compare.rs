@@ -1,7 +1,7 @@
 //! `toytop compare`: errors of the core against the full 3-D equations, for each motion, each scalar and both propagators.
 
 mod bounds;
-mod run;
+mod propagation;
 
 use crate::arguments::options::{Method, Scalars, scalars};
 use crate::commands::warnings::warnings;
@@ -9,7 +9,7 @@ use crate::terminal::report::Report;
 use crate::terminal::table::TextTable;
 use bounds::{Verdict, bound, compared_time, steps_per_period};
 use clap::Args;
-use run::Run;
+use propagation::{Propagation, propagate};
 use serde::Serialize;
 use serde_json::json;
 use std::iter::once;
@@ -158,9 +158,9 @@ fn compare<'a>(
         if !arguments.scalar.0.contains(&scalar) {
             continue;
         }
-        let run = run::run((method, scalar), motion, &times, periods).unwrap_or_else(|failure| {
+        let run = propagate((method, scalar), motion, &times, periods).unwrap_or_else(|failure| {
             notes.push(format!("{name} {}: {failure}", scalar.name()));
-            Run::default()
+            Propagation::default()
         });
         let errors = greatest_errors(scenario, &run.samples, &times, &mut solver_states)?;
         let error = |value: fn(&Errors) -> f64| errors.as_ref().map(value);

@@ -14,13 +14,13 @@ use std::path::Path;
 use toytop_host::Failure;
 
 /// Colour of the curve of the tip or axis.
-pub const CURVE: &str = "#1f4e8c";
+pub const CURVE_COLOR: &str = "#1f4e8c";
 /// Colour of the bounds of the curve.
-pub const BOUND: &str = "#8a8a8a";
-/// Colour of the start of the curve.
-pub const START: &str = "#c0392b";
+pub const BOUND_COLOR: &str = "#8a8a8a";
+/// Colour of what must be seen first: the start of a curve, and a mark on the disc of a film.
+pub const ACCENT_COLOR: &str = "#c0392b";
 /// Colour of captions.
-pub const CAPTION: &str = "#555555";
+pub const CAPTION_COLOR: &str = "#555555";
 
 /// Frame with a title, a label below it, and these ranges of x and y.
 pub fn frame(plots: &[Plot], title: &str, label: &str, [x, y]: [[f64; 2]; 2]) -> Layout {

@@ -4,7 +4,7 @@ mod random_launch;
 mod trial;
 
 use super::{StudyOptions, Summary};
-use crate::terminal::parallel::compute_all;
+use crate::terminal::parallel::map_with_progress;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use toytop_host::Failure;
@@ -18,7 +18,7 @@ pub fn run(study: &StudyOptions, truths: u64) -> Result<Summary<Row>, Failure> {
     let trial = |launch: u64| trial::run(study.seed, launch, launch.is_multiple_of(spacing));
     let (mut regimes, mut launched) = (BTreeMap::<_, usize>::new(), Vec::new());
     let (mut refused, mut refusals, mut failures) = (BTreeSet::new(), 0, Vec::new());
-    for (launch, tried) in compute_all(study.motions, "launches", trial)?.into_iter().enumerate() {
+    for (launch, tried) in map_with_progress(study.motions, "launches", trial)?.into_iter().enumerate() {
         match tried {
             Err(refusal) => {
                 refusals += 1;

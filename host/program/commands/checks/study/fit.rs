@@ -1,7 +1,7 @@
 //! `toytop study fit`: launches fitted to simulated samples.
 
 use super::{StudyOptions, Summary};
-use crate::terminal::parallel::compute_all;
+use crate::terminal::parallel::map_with_progress;
 use nalgebra::{Matrix6, Vector6};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -49,7 +49,7 @@ pub struct Row {
 }
 
 pub fn run(study: &StudyOptions) -> Result<Summary<Row>, Failure> {
-    let trials = compute_all(3 * study.motions, "launches", |stream| {
+    let trials = map_with_progress(3 * study.motions, "launches", |stream| {
         let noise = study.seed.wrapping_mul(1_000_003).wrapping_add(stream);
         trial(&mut Random::new(study.seed, stream), (stream % 3) as usize, noise)
     })?;

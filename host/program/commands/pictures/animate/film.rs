@@ -1,6 +1,6 @@
 //! Film of the top in motion, as a GIF.
 
-use crate::commands::pictures::drawing::{CAPTION, CURVE, START, disc, raster, text};
+use crate::commands::pictures::drawing::{ACCENT_COLOR, CAPTION_COLOR, CURVE_COLOR, disc, raster, text};
 use crate::commands::pictures::plot::sphere::{Camera, circle};
 use crate::terminal::parallel::Progress;
 use kuva::render::render::{Scene, TextAnchor};
@@ -58,8 +58,8 @@ impl Film<'_> {
         let traced = usize::from(self.scenario.motion.top().support() != Support::Sliding);
         let count = ((share * PATH as f64) as usize).max(1);
         let path: Vec<_> = self.span.times(PATH).take(count).map(|t| self.ends(t)[traced]).collect();
-        camera.line(&mut scene, &path, CURVE, 1.6);
-        camera.line(&mut scene, &[tip, end], CAPTION, 4.0);
+        camera.line(&mut scene, &path, CURVE_COLOR, 1.6);
+        camera.line(&mut scene, &[tip, end], CAPTION_COLOR, 4.0);
         // disc about the centre of mass, with spokes that turn with the body
         let rim = |angle: f64, radius: f64| {
             let [x, y, z] = orientation.adjoint([radius * angle.cos(), radius * angle.sin(), 1.0]);
@@ -70,10 +70,10 @@ impl Film<'_> {
         for spoke in 0..6 {
             let angle = PI * f64::from(spoke) / 3.0;
             // one spoke has another colour, so that the rotation can be seen
-            let (color, width) = if spoke == 0 { (START, 4.0) } else { ("#9a9a9a", 1.4) };
+            let (color, width) = if spoke == 0 { (ACCENT_COLOR, 4.0) } else { ("#9a9a9a", 1.4) };
             camera.line(&mut scene, &[rim(angle, 0.0), rim(angle, DISC)], color, width);
         }
-        disc(&mut scene, camera.project(rim(0.0, DISC)), 5.0, START, None);
+        disc(&mut scene, camera.project(rim(0.0, DISC)), 5.0, ACCENT_COLOR, None);
         text(&mut scene, &self.scenario.name, [14.0, 26.0], 15, TextAnchor::Start, "black");
         let time = format!("t = {t:.3}{}", self.scenario.units.name(Si(" s")));
         text(&mut scene, &time, [SIDE - 14.0, 26.0], 15, TextAnchor::End, "black");

@@ -1,7 +1,9 @@
 //! Curve of the axis on the unit sphere.
 
 use super::tip::caption;
-use crate::commands::pictures::drawing::{BOUND, CAPTION, CURVE, START, disc, line, text};
+use crate::commands::pictures::drawing::{
+    ACCENT_COLOR, BOUND_COLOR, CAPTION_COLOR, CURVE_COLOR, disc, line, text,
+};
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
 use toytop_host::input::scenario::Scenario;
@@ -26,13 +28,13 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let title = format!("{}: the axis on the unit sphere", scenario.name);
     text(picture, &title, [MIDDLE[0], 34.0], 18, middle, "black");
     for (line, y) in caption(scenario, span, "").iter().zip([58.0, 76.0]) {
-        text(picture, line, [MIDDLE[0], y], 12, middle, CAPTION);
+        text(picture, line, [MIDDLE[0], y], 12, middle, CAPTION_COLOR);
     }
-    disc(picture, MIDDLE.into(), RADIUS, "#fbfbfb", Some(BOUND));
+    disc(picture, MIDDLE.into(), RADIUS, "#fbfbfb", Some(BOUND_COLOR));
     camera.line_on_sphere(picture, &circle(1.0, 0.0), ["#c4c4c4", "#e6e6e6"], 1.0);
-    camera.line(picture, &[[0.0, 0.0, 1.0], [0.0, 0.0, 1.12]], BOUND, 1.2);
+    camera.line(picture, &[[0.0, 0.0, 1.0], [0.0, 0.0, 1.12]], BOUND_COLOR, 1.2);
     let (x, y) = camera.project([0.0, 0.0, 1.15]);
-    text(picture, "up", [x, y - 2.0], 12, middle, CAPTION);
+    text(picture, "up", [x, y - 2.0], 12, middle, CAPTION_COLOR);
     let e2 = scenario.motion.branch_points().e2;
     let (_, highest) = camera.project([0.0, 0.0, e2]);
     for limit in TiltLimit::all(&scenario.motion) {
@@ -45,12 +47,12 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
         text(picture, &limit.to_string(), [LABELS, label], 12, TextAnchor::Start, "#333333");
     }
     let points: Vec<_> = span.times_of_curve().map(|t| span.at(t).pose.orientation.axis()).collect();
-    camera.line_on_sphere(picture, &points, [CURVE, "#b4c6dd"], 1.8);
-    disc(picture, camera.project(points[0]), 4.5, START, None);
+    camera.line_on_sphere(picture, &points, [CURVE_COLOR, "#b4c6dd"], 1.8);
+    disc(picture, camera.project(points[0]), 4.5, ACCENT_COLOR, None);
     let [from, until] = span.ends_as_text();
     let unit = scenario.units.name(Si(" s"));
     let shown = format!("dot: t = {from}; line: until t = {until}{unit}; pale: behind");
-    text(picture, &shown, [MIDDLE[0], HEIGHT - 16.0], 12, middle, CAPTION);
+    text(picture, &shown, [MIDDLE[0], HEIGHT - 16.0], 12, middle, CAPTION_COLOR);
     scene
 }
 

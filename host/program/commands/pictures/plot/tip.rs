@@ -1,6 +1,8 @@
 //! Picture of a curve, for a white page.
 
-use crate::commands::pictures::drawing::{BOUND, CAPTION, CURVE, START, frame, label_above, text};
+use crate::commands::pictures::drawing::{
+    ACCENT_COLOR, BOUND_COLOR, CAPTION_COLOR, CURVE_COLOR, frame, label_above, text,
+};
 use kuva::plot::scatter::ScatterPlot;
 use kuva::plot::{LegendPosition, LinePlot, LineStyle};
 use kuva::render::plots::Plot;
@@ -46,7 +48,7 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let mut scene = render_multiple(plots, layout);
     let middle = LEFT + 0.5 * SIDE;
     let mut caption_at = |content: &str, place: [f64; 2], size: u32| {
-        text(&mut scene, content, place, size, TextAnchor::Middle, CAPTION);
+        text(&mut scene, content, place, size, TextAnchor::Middle, CAPTION_COLOR);
     };
     let view = ": seen from above, the end of a unit vector along the axis";
     for (line, y) in caption(scenario, span, view).iter().zip([51.0, 67.0]) {
@@ -102,7 +104,7 @@ fn arrow(points: &[[f64; 2]], extent: f64) -> Option<Plot> {
     let ([x, y], [from_x, from_y]) = (points[tip], points[tip - 1]);
     let angle = (y - from_y).atan2(x - from_x);
     let arm = |turn: f64| (x + size * (angle + turn).cos(), y + size * (angle + turn).sin());
-    let head = LinePlot::new().with_color(START).with_stroke_width(1.7);
+    let head = LinePlot::new().with_color(ACCENT_COLOR).with_stroke_width(1.7);
     Some(head.with_data([arm(2.7), (x, y), arm(-2.7)]).into())
 }
 
@@ -118,13 +120,13 @@ fn lines(curve: &TipCurve, extent: f64, name: &str) -> Vec<Plot> {
             let (sin, cos) = (2.0 * PI * f64::from(i) / f64::from(CORNERS)).sin_cos();
             (radius * cos, radius * sin)
         };
-        let line = LinePlot::new().with_color(BOUND).with_stroke_width(1.1).with_line_style(style);
+        let line = LinePlot::new().with_color(BOUND_COLOR).with_stroke_width(1.1).with_line_style(style);
         plots.push(line.with_data((0..=CORNERS).map(corner)).with_legend(limit.to_string()).into());
     }
-    let tip = LinePlot::new().with_color(CURVE).with_stroke_width(1.7).with_legend(name);
+    let tip = LinePlot::new().with_color(CURVE_COLOR).with_stroke_width(1.7).with_legend(name);
     plots.push(tip.with_data(curve.points.iter().map(place)).into());
     let start_name = if curve.circles.is_empty() { "start" } else { "start, direction" };
-    let start = ScatterPlot::new().with_color(START).with_size(4.0).with_legend(start_name);
+    let start = ScatterPlot::new().with_color(ACCENT_COLOR).with_size(4.0).with_legend(start_name);
     plots.push(start.with_data(curve.points.first().map(place)).into());
     plots.extend(arrow(&curve.points, extent));
     plots

@@ -1,6 +1,6 @@
 //! Picture of the residuals of a fit.
 
-use crate::commands::pictures::drawing::{BOUND, chart::COLORS, frame};
+use crate::commands::pictures::drawing::{BOUND_COLOR, chart::COLORS, frame};
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::render::figure::Figure;
@@ -15,7 +15,7 @@ pub fn draw(report: &FitResult, measurements: &[Measurement]) -> Scene {
     let residuals = report.residuals(measurements);
     let ends = ends_of(measurements);
     let level = |x: f64| {
-        LinePlot::new().with_data(ends.map(|t| (t, x))).with_color(BOUND).with_stroke_width(0.8).into()
+        LinePlot::new().with_data(ends.map(|t| (t, x))).with_color(BOUND_COLOR).with_stroke_width(0.8).into()
     };
     let (mut strips, mut layouts) = (Vec::new(), Vec::new());
     for (sensor, model) in report.input.sensors.models.iter().enumerate() {

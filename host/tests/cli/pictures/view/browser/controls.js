@@ -12,7 +12,7 @@ async function operate() {
   const paused = state.t;
   facts["the button pauses and says what it does now"] = !clock.playing && element("play").getAttribute("aria-label") === "Play";
   await settled();
-  facts["a pause is one"] = state.t === paused;
+  facts["time stands still after a pause"] = state.t === paused;
   key(document.body, " ");
   await settled();
   facts["space plays"] = clock.playing && state.t > paused;
@@ -79,7 +79,7 @@ async function operate() {
   await set("sign_l_minus_n", "-1", "change");
   const minus = scene.constants.l - scene.constants.n;
   await set("sign_l_minus_n", "1", "change");
-  facts["a sign is one"] = minus < 0 && scene.constants.l > scene.constants.n;
+  facts["the sign of l - n follows its control"] = minus < 0 && scene.constants.l > scene.constants.n;
   element("fixed").click();
   await settled();
   facts["the tip is held"] = scene.support === "fixed" && element("summary").textContent.startsWith("The tip is held.");

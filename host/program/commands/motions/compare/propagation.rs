@@ -13,7 +13,7 @@ use toytop_model::timed_motion::TimedMotion;
 
 /// Run of a propagator; empty where no table is large enough.
 #[derive(Default)]
-pub struct Run {
+pub struct Propagation {
     /// Samples in the order of the times.
     pub samples: Vec<MotionSample>,
     /// Number of steps of a stepper.
@@ -42,22 +42,22 @@ fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> MotionSample) -> 
 ///
 /// # Errors
 /// [`Failure::method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-pub fn run(
+pub fn propagate(
     (method, scalar): (Method, Scalar),
     motion: &TimedMotion,
     times: &[f64],
     periods: u32,
-) -> Result<Run, Failure> {
+) -> Result<Propagation, Failure> {
     let stepper = match (method, scalar) {
-        (Method::Table, _) => return run_table(scalar, motion, times),
-        (_, Scalar::F64) => run_stepper::<f64>,
-        _ => run_stepper::<f32>,
+        (Method::Table, _) => return propagate_by_table(scalar, motion, times),
+        (_, Scalar::F64) => propagate_by_stepper::<f64>,
+        _ => propagate_by_stepper::<f32>,
     };
-    Ok(Run { bound: stepper_bound(motion, scalar, periods), ..stepper(scalar, motion, times) })
+    Ok(Propagation { bound: stepper_bound(motion, scalar, periods), ..stepper(scalar, motion, times) })
 }
 
 /// Run of the stepper through the times.
-fn run_stepper<R: Real>(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Run {
+fn propagate_by_stepper<R: Real>(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Propagation {
     let step = motion.characteristic_time() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
     let (samples, ns) = timed_samples(times, |t| {
@@ -65,15 +65,15 @@ fn run_stepper<R: Real>(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> 
         timed.sample()
     });
     let ns = ns * times.len() as f64 / timed.steps.max(1) as f64;
-    Run { samples, steps: Some(timed.steps), ns: Some(ns), ..Run::default() }
+    Propagation { samples, steps: Some(timed.steps), ns: Some(ns), ..Propagation::default() }
 }
 
 /// Run of a table or a closed form at the times.
-fn run_table(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Result<Run, Failure> {
+fn propagate_by_table(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Result<Propagation, Failure> {
     let evaluator = MotionEvaluator::new(motion, scalar)?;
     let (samples, ns) = timed_samples(times, |t| evaluator.at(t));
     let ticks = times.last().map_or(0.0, |last| last * evaluator.ticks_per_time);
     let has_table = evaluator.segments > 0;
     let table = has_table.then(|| format!("{}x{}", evaluator.segments, evaluator.terms));
-    Ok(Run { samples, table, bound: evaluator.error_bound.after(ticks), ns: Some(ns), steps: None })
+    Ok(Propagation { samples, table, bound: evaluator.error_bound.after(ticks), ns: Some(ns), steps: None })
 }
