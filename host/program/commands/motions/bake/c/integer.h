@@ -11,16 +11,25 @@ static inline int32_t toytop_short(int32_t a, int32_t b) { return (int32_t)(((in
 static inline const int32_t *toytop_point(uint32_t phase) { return toytop_sines + ((uint32_t)(phase + 0x400000) >> 23); }
 
 /* 2^31 times sine and cosine of a phase, to 26 bits: those of the nearest point, corrected by a series. */
-static inline void toytop_sincos_q26(uint32_t phase, int32_t of[2]) {
+static inline void toytop_sincos_f32(uint64_t leading, int32_t of[2]) {
+    uint32_t phase = (uint32_t)(leading >> 32);
     const int32_t *point = toytop_point(phase);
     int32_t small = toytop_high((int32_t)(phase << 9), TOYTOP_SECANT), versine = toytop_high(small, small >> 1);
     of[0] = point[0] - toytop_high(point[0], versine) + toytop_high(point[128], small);
     of[1] = point[128] - toytop_high(point[128], versine) - toytop_high(point[0], small);
 }
 
-/* a c + b d to 2^-28. */
-static inline int32_t toytop_inner_q31(int32_t a, int32_t b, int32_t c, int32_t d) {
-    return (toytop_high(a, c) + toytop_high(b, d)) * 4;
+/* 2^31 times sine and cosine of a phase, to 29 bits: those of the nearest point, and the rest by a series. */
+static inline void toytop_sincos_q31(uint64_t leading, int32_t of[2]) {
+    uint32_t phase = (uint32_t)(leading >> 32);
+    int32_t x = (int32_t)(phase << 9);
+    const int32_t *point = toytop_point(phase);
+    int32_t square = toytop_high(x, x), versine = toytop_high(square, TOYTOP_VERSINE * 65536);
+    int32_t small = toytop_high(x, TOYTOP_LINEAR - (((square >> 16) * TOYTOP_CUBIC) >> 8));
+    int32_t change = toytop_high(point[128], small) - (toytop_short(versine, point[0]) >> 7);
+    of[0] = point[0] + ((change + 16) >> 5);
+    change = toytop_high(point[0], small) + (toytop_short(versine, point[128]) >> 7);
+    of[1] = point[128] - ((change + 16) >> 5);
 }
 
 /* Rotation of a number in units of 2^-31; the result is in units of 2^-30. */
@@ -52,18 +61,6 @@ static inline toytop_sums toytop_sums_at(const toytop_clock *clock, const int32_
         sums.slope[i] = slope;
     }
     return sums;
-}
-
-/* Re alpha, Im alpha, Re beta and Im beta in units of 2^-30. */
-static inline void toytop_alpha_beta(const toytop_sums *sums, const toytop_cursor *at, void (*sincos)(uint32_t, int32_t[2]),
-                                     int32_t four[4]) {
-    int falling = (int)(at->phase[0].leading >> 63);
-    int32_t of[2];
-    for (int i = 0; i < 2; i++) {
-        int32_t re = sums->value[2 * i], im = sums->value[2 * i + 1];
-        sincos((uint32_t)(at->phase[i + 1].leading >> 32), of);
-        toytop_turn(re, falling ? ~im : im, of, four + 2 * i);
-    }
 }
 
 /* Sums and shifts modulo 2^32. */
@@ -140,25 +137,12 @@ static inline int32_t toytop_integer_rates(const toytop_sums *sums, int falling,
     return exponent;
 }
 
-/* Parameters alpha and beta, and the angular velocity in the body frame as from toytop_integer_rates. */
-static inline int32_t toytop_rates_at(const toytop_clock *clock, const float scales[4], const int32_t (*c)[4], const toytop_cursor *at,
-                                      void (*sincos)(uint32_t, int32_t[2]), int32_t four[4], int32_t omega[3]) {
-    toytop_sums sums = toytop_sums_at(clock, c, at->phase[0].leading, 1);
-    int32_t a[2], b[2], turn[2];
-    sincos((uint32_t)(at->phase[1].leading >> 32), a);
-    sincos((uint32_t)(at->phase[2].leading >> 32), b);
-    turn[0] = toytop_high(a[1], b[1]) + toytop_high(a[0], b[0]);
-    turn[1] = toytop_high(a[1], b[0]) - toytop_high(a[0], b[1]);
-    toytop_alpha_beta(&sums, at, sincos, four);
-    return toytop_integer_rates(&sums, (int)(at->phase[0].leading >> 63), turn, scales, omega);
+/* a b + c d and a b - c d as whole numbers of 2^-28, wrapping. */
+static inline int32_t toytop_plus_q31(int32_t a, int32_t b, int32_t c, int32_t d) {
+    return toytop_shifted(toytop_plus(toytop_high(a, b), toytop_high(c, d)), 2);
 }
-
-/* a c + b d and a c - b d as whole numbers of 2^-28, wrapping. */
-static inline int32_t toytop_plus_q31(int32_t a, int32_t c, int32_t b, int32_t d) {
-    return toytop_shifted(toytop_plus(toytop_high(a, c), toytop_high(b, d)), 2);
-}
-static inline int32_t toytop_minus_q31(int32_t a, int32_t c, int32_t b, int32_t d) {
-    return toytop_shifted(toytop_minus(toytop_high(a, c), toytop_high(b, d)), 2);
+static inline int32_t toytop_minus_q31(int32_t a, int32_t b, int32_t c, int32_t d) {
+    return toytop_shifted(toytop_minus(toytop_high(a, b), toytop_high(c, d)), 2);
 }
 
 /* A vector in body coordinates, in fixed ones; four: Re alpha, Im alpha, Re beta and Im beta in units of 2^-30. */
@@ -174,54 +158,30 @@ static inline void toytop_adjoint_q31(const int32_t four[4], const int32_t v[3],
     fixed[2] = toytop_plus(toytop_plus_q31(a[0], q[0], a[1], q[1]), toytop_plus_q31(b[0], p[0], b[1], p[1]));
 }
 
-static inline toytop_sample_f32 toytop_sample_of_f32(const toytop_f32 *table, const toytop_cursor *at) {
-    toytop_sample_f32 m;
-    int32_t four[4], u;
-    const float unit = 1.0f / 1073741824.0f; /* 2^-30 */
-    toytop_sums sums = toytop_sums_at(&table->clock, table->coefficients, at->phase[0].leading, 0);
-    toytop_alpha_beta(&sums, at, toytop_sincos_q26, four);
-    for (int i = 0; i < 2; i++) m.alpha[i] = (float)four[i] * unit, m.beta[i] = (float)four[i + 2] * unit;
-    u = toytop_inner_q31(four[0] + four[2], four[1] + four[3], four[0] - four[2], four[1] - four[3]);
-    m.u = (float)u * unit;
-    m.c[0] = (float)toytop_minus_q31(four[0], four[2], four[1], four[3]) * unit * table->scales[0];
-    m.c[1] = (float)toytop_plus_q31(four[0], four[3], four[1], four[2]) * unit * table->scales[0];
-    return m;
-}
-
-static inline int32_t toytop_rates_at_f32(const toytop_f32 *table, const toytop_cursor *at, int32_t four[4], int32_t omega[3]) {
-    return toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q26, four, omega);
-}
-
-/* 2^31 times sine and cosine of a phase, to 29 bits: those of the nearest point, and the rest by a series. */
-static inline void toytop_sincos_q31(uint32_t phase, int32_t of[2]) {
-    int32_t x = (int32_t)(phase << 9);
-    const int32_t *point = toytop_point(phase);
-    int32_t square = toytop_high(x, x), versine = toytop_high(square, TOYTOP_VERSINE * 65536);
-    int32_t small = toytop_high(x, TOYTOP_LINEAR - (((square >> 16) * TOYTOP_CUBIC) >> 8));
-    int32_t change = toytop_high(point[128], small) - (toytop_short(versine, point[0]) >> 7);
-    of[0] = point[0] + ((change + 16) >> 5);
-    change = toytop_high(point[0], small) + (toytop_short(versine, point[128]) >> 7);
-    of[1] = point[128] - ((change + 16) >> 5);
-}
-
-static inline toytop_sample_q31 toytop_sample_of_q31(const toytop_q31 *table, const toytop_cursor *at) {
-    toytop_sample_q31 m;
-    int32_t four[4];
-    toytop_sums sums = toytop_sums_at(&table->clock, table->coefficients, at->phase[0].leading, 0);
-    toytop_alpha_beta(&sums, at, toytop_sincos_q31, four);
-    for (int i = 0; i < 2; i++) m.alpha[i] = four[i], m.beta[i] = four[i + 2];
-    m.u = toytop_inner_q31(four[0] + four[2], four[1] + four[3], four[0] - four[2], four[1] - four[3]);
-    m.c[0] = (toytop_high(four[0], four[2]) - toytop_high(four[1], four[3])) * 8;
-    m.c[1] = 2 * toytop_inner_q31(four[0], four[1], four[3], four[2]);
-    return m;
-}
-
-static inline int32_t toytop_rates_at_q31(const toytop_q31 *table, const toytop_cursor *at, int32_t four[4], int32_t omega[3]) {
-    return toytop_rates_at(&table->clock, table->scales, table->coefficients, at, toytop_sincos_q31, four, omega);
-}
-
-/* Functions of the scalar S that use its toytop_rates_at. */
-#define TOYTOP_OMEGA(S) \
+/* Parameters and angular velocity of the scalar S. SUMS_AT and TURN: functions of its sums and of the rotation; PRODUCT: product of two
+ * sines in units of 2^-30; UNIT: factor from its parameters to units of 2^-30. */
+#define TOYTOP_INTEGER_FUNCTIONS(S, SUMS_AT, TURN, PRODUCT, UNIT) \
+    /* Sums of the table, and Re alpha, Im alpha, Re beta and Im beta, and sine and cosine of the mean phases. */ \
+    static inline toytop_sums toytop_parameters_##S(const toytop_##S *table, const toytop_cursor *at, int slopes, int32_t four[4], \
+                                                    int32_t of[2][2]) { \
+        toytop_sums sums = SUMS_AT(&table->clock, table->coefficients, at->phase[0].leading, slopes); \
+        int falling = (int)(at->phase[0].leading >> 63); \
+        for (int i = 0; i < 2; i++) { \
+            int32_t re = sums.value[2 * i], im = sums.value[2 * i + 1]; \
+            toytop_sincos_##S(at->phase[i + 1].leading, of[i]); \
+            TURN(re, falling ? ~im : im, of[i], four + 2 * i); \
+        } \
+        return sums; \
+    } \
+    /* Parameters in units of 2^-30, and the angular velocity in the body frame as from toytop_integer_rates. */ \
+    static inline int32_t toytop_rates_at_##S(const toytop_##S *table, const toytop_cursor *at, int32_t four[4], int32_t omega[3]) { \
+        int32_t of[2][2], turn[2]; \
+        toytop_sums sums = toytop_parameters_##S(table, at, 1, four, of); \
+        turn[0] = PRODUCT(of[0][1], of[1][1]) + PRODUCT(of[0][0], of[1][0]); \
+        turn[1] = PRODUCT(of[0][1], of[1][0]) - PRODUCT(of[0][0], of[1][1]); \
+        for (int i = 0; i < 4; i++) four[i] *= UNIT; \
+        return toytop_integer_rates(&sums, (int)(at->phase[0].leading >> 63), turn, table->scales, omega); \
+    } \
     /* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */ \
     TOYTOP_API void toytop_omega_body_##S(const toytop_##S *table, const toytop_cursor *at, float omega[3]) { \
         int32_t four[4], rates[3]; \
@@ -237,7 +197,32 @@ static inline int32_t toytop_rates_at_q31(const toytop_q31 *table, const toytop_
         for (int i = 0; i < 3; i++) omega[i] = toytop_rate_in(fixed[i], exponent); \
     }
 
+TOYTOP_INTEGER_FUNCTIONS(f32, toytop_sums_at, toytop_turn, toytop_high, 1)
+TOYTOP_INTEGER_FUNCTIONS(q31, toytop_sums_at, toytop_turn, toytop_high, 1)
+
+static inline toytop_sample_f32 toytop_sample_of_f32(const toytop_f32 *table, const toytop_cursor *at) {
+    toytop_sample_f32 m;
+    int32_t four[4], of[2][2], u;
+    const float unit = 1.0f / 1073741824.0f; /* 2^-30 */
+    toytop_parameters_f32(table, at, 0, four, of);
+    for (int i = 0; i < 2; i++) m.alpha[i] = (float)four[i] * unit, m.beta[i] = (float)four[i + 2] * unit;
+    u = toytop_plus_q31(four[0] + four[2], four[0] - four[2], four[1] + four[3], four[1] - four[3]);
+    m.u = (float)u * unit;
+    m.c[0] = (float)toytop_minus_q31(four[0], four[2], four[1], four[3]) * unit * table->scales[0];
+    m.c[1] = (float)toytop_plus_q31(four[0], four[3], four[1], four[2]) * unit * table->scales[0];
+    return m;
+}
+
+static inline toytop_sample_q31 toytop_sample_of_q31(const toytop_q31 *table, const toytop_cursor *at) {
+    toytop_sample_q31 m;
+    int32_t four[4], of[2][2];
+    toytop_parameters_q31(table, at, 0, four, of);
+    for (int i = 0; i < 2; i++) m.alpha[i] = four[i], m.beta[i] = four[i + 2];
+    m.u = toytop_plus_q31(four[0] + four[2], four[0] - four[2], four[1] + four[3], four[1] - four[3]);
+    m.c[0] = 2 * toytop_minus_q31(four[0], four[2], four[1], four[3]);
+    m.c[1] = 2 * toytop_plus_q31(four[0], four[3], four[1], four[2]);
+    return m;
+}
+
 TOYTOP_FUNCTIONS(f32, 32, float)
 TOYTOP_FUNCTIONS(q31, 31, int32_t)
-TOYTOP_OMEGA(f32)
-TOYTOP_OMEGA(q31)
