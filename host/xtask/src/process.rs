@@ -3,11 +3,11 @@
 use std::io::{Read, pipe};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::mpsc::channel;
 use std::time::Duration;
 use std::{env, thread};
 
 use anyhow::{Context, Result, bail};
-use wait_timeout::ChildExt;
 
 /// Root of the repository, from the environment of `cargo run`, because the folder may have been renamed after the binary was built.
 pub(crate) fn root() -> PathBuf {
@@ -69,24 +69,25 @@ pub(crate) struct Ended {
     pub(crate) output: String,
 }
 
-/// Result of a command, which may take at most `limit`.
+/// Result of a command, whose output must end within `limit`.
 pub(crate) fn run_within(command: &mut Command, limit: Duration) -> Result<Ended> {
     let name = typed(command);
     let (mut reader, writer) = pipe()?;
     command.stdout(writer.try_clone()?).stderr(writer);
     let mut child = command.spawn().with_context(|| format!("cannot run {name}"))?;
     command.stdout(Stdio::null()).stderr(Stdio::null()); // drops this process's ends of the pipe
-    let collector = thread::spawn(move || {
+    let (sender, receiver) = channel();
+    thread::spawn(move || {
         let mut bytes = Vec::new();
-        reader.read_to_end(&mut bytes).map(|_| String::from_utf8_lossy(&bytes).into_owned())
+        let read = reader.read_to_end(&mut bytes);
+        sender.send(read.map(|_| String::from_utf8_lossy(&bytes).into_owned()))
     });
-    let Some(status) = child.wait_timeout(limit)? else {
+    let Ok(output) = receiver.recv_timeout(limit) else {
         child.kill()?;
         child.wait()?;
         bail!("{name}: not done after {} s", limit.as_secs());
     };
-    let output = collector.join().expect("the collector does not panic")?;
-    Ok(Ended { success: status.success(), output })
+    Ok(Ended { success: child.wait()?.success(), output: output? })
 }
 
 /// Output of a command that must succeed; if it fails, its output is the error.
