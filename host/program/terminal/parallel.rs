@@ -31,7 +31,7 @@ pub fn write_rows(
             bytes
         };
         let jobs = (end - first).div_ceil(ROWS) as usize;
-        let parts = map(jobs, job, || true).map_err(io::Error::other)?;
+        let parts = map(jobs, job).map_err(io::Error::other)?;
         parts.iter().try_for_each(|bytes| out.write_all(bytes))?;
         progress.add(end - first);
     }
@@ -55,7 +55,7 @@ pub fn map_with_progress<T: Send>(
         progress.add(1);
         result
     };
-    map(count as usize, counted, || true)
+    map(count as usize, counted)
 }
 
 /// Progress of work with a known total, as a bar on stderr for work that takes more than a second; there is none where stderr is no terminal.

@@ -1,28 +1,17 @@
-//! Computations run without the interpreter's lock. Those of several jobs end at Ctrl-C.
+//! Computations without the interpreter's lock, which end at Ctrl-C.
 
 use crate::arguments::failed;
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use rayon::iter::ParallelIterator;
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefMutIterator, ParallelIterator};
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
 use std::sync::mpsc::{self, RecvTimeoutError};
 use std::thread::Builder;
-use toytop_host::Failure;
-use toytop_host::threads::{self, INTERVAL, STACK};
+use std::time::Duration;
+use toytop_host::threads::{STACK, pool};
 
-/// Result of `work`, which asks the function that it is called with whether to go on.
-fn until_signal<T: Send>(
-    py: Python<'_>,
-    work: impl FnOnce(&mut (dyn FnMut() -> bool + Send)) -> Result<T, Failure> + Send,
-) -> PyResult<T> {
-    let mut signals = Ok(());
-    let result = py.detach(|| {
-        work(&mut || {
-            signals = Python::attach(|py| py.check_signals());
-            signals.is_ok()
-        })
-    });
-    signals.and_then(|()| result.map_err(failed))
-}
+/// Time between two questions whether Ctrl-C was pressed.
+const INTERVAL: Duration = Duration::from_millis(50);
 
 /// Calls `work` with each of the jobs on all cores. A job should take less than 0.1 s.
 ///
@@ -33,10 +22,31 @@ pub(crate) fn for_each<J: Send>(
     jobs: impl ParallelIterator<Item = J>,
     work: impl Fn(J) + Send + Sync,
 ) -> PyResult<()> {
-    until_signal(py, |keep_going| threads::for_each(jobs, work, keep_going))
+    let pool = pool().map_err(failed)?;
+    let stopped = AtomicBool::new(false);
+    let unless_stopped = |job: J| {
+        if !stopped.load(Relaxed) {
+            work(job);
+        }
+    };
+    let until_signal = || {
+        pool.in_place_scope(|scope| {
+            let (running, ended) = mpsc::channel::<()>();
+            scope.spawn(|_| {
+                let _running = running;
+                jobs.for_each(unless_stopped);
+            });
+            while ended.recv_timeout(INTERVAL) == Err(RecvTimeoutError::Timeout) {
+                Python::attach(|py| py.check_signals()).inspect_err(|_| stopped.store(true, Relaxed))?;
+            }
+            Ok(())
+        })
+    };
+    py.detach(until_signal)
 }
 
-/// Results of `compute` for the indices below `count`, on all cores. One result should take less than 0.1 s.
+/// Results of `compute` for the indices below `count`, on all cores. One result should take less than 0.1 s. A single one is computed in the
+/// calling thread, and Ctrl-C waits for it.
 ///
 /// # Errors
 /// `KeyboardInterrupt`.
@@ -45,7 +55,13 @@ pub(crate) fn map<T: Send>(
     count: usize,
     compute: impl Fn(usize) -> T + Send + Sync,
 ) -> PyResult<Vec<T>> {
-    until_signal(py, |keep_going| threads::map(count, compute, keep_going))
+    if count < 2 {
+        return Ok(py.detach(|| (0..count).map(compute).collect()));
+    }
+    let mut results: Vec<Option<T>> = (0..count).map(|_| None).collect();
+    let jobs = results.par_iter_mut().enumerate();
+    for_each(py, jobs, |(index, result)| *result = Some(compute(index)))?;
+    Ok(results.into_iter().flatten().collect())
 }
 
 /// Result of `work`, which runs in a thread of its own. Ctrl-C returns at once, and the thread runs to its end.
