@@ -1,5 +1,6 @@
 //! Frames, colours, texts, dots and lines of pictures, and their files.
 
+pub mod camera;
 pub mod chart;
 
 use crate::files::whole_file;

@@ -9,7 +9,7 @@
 
 mod angles;
 mod potential;
-pub mod sphere;
+mod sphere;
 pub mod tip;
 
 use crate::arguments::options::{PICTURE, ending_in, time_range};

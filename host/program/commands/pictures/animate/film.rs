@@ -1,7 +1,7 @@
 //! Film of the top in motion, as a GIF.
 
+use crate::commands::pictures::drawing::camera::{Camera, circle};
 use crate::commands::pictures::drawing::{ACCENT_COLOR, CAPTION_COLOR, CURVE_COLOR, disc, raster, text};
-use crate::commands::pictures::plot::sphere::{Camera, circle};
 use crate::terminal::parallel::Progress;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
