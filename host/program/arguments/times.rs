@@ -113,8 +113,8 @@ impl Times {
     /// # Errors
     /// [`Failure::input`]: too many times.
     pub fn new(option: String, values: &Values) -> Result<Self, Failure> {
-        require_count(values.size()).map_err(|reason| Failure::input(reason).at(&option))?;
-        let seconds = (0..values.size()).map(|index| values.at(index)).collect();
+        require_count(values.count()).map_err(|reason| Failure::input(reason).at(&option))?;
+        let seconds = (0..values.count()).map(|index| values.at(index)).collect();
         Ok(Self { option, seconds, ticks: Vec::new() })
     }
 

@@ -75,24 +75,24 @@ impl Values {
         Ok(Self::Range { low, high, log, count })
     }
 
-    /// Number of values; `None` for a continuous range.
-    pub fn count(&self) -> Option<u64> {
-        match self {
-            Self::List(numbers) => Some(numbers.len() as u64),
-            Self::Range { count, .. } => count.map(u64::from),
-        }
+    /// Whether every number between the ends is a value.
+    pub fn is_continuous(&self) -> bool {
+        matches!(self, Self::Range { count: None, .. })
     }
 
     /// Number of values; 1 for a continuous range.
-    pub fn size(&self) -> u64 {
-        self.count().unwrap_or(1)
+    pub fn count(&self) -> u64 {
+        match self {
+            Self::List(numbers) => numbers.len() as u64,
+            Self::Range { count, .. } => count.map_or(1, u64::from),
+        }
     }
 
-    /// Value with this index, which is below [`size`](Self::size). A continuous range has the lower end.
+    /// Value with this index, which is below [`count`](Self::count). A continuous range has the lower end.
     pub fn at(&self, index: u64) -> f64 {
         match self {
             Self::List(numbers) => numbers[index as usize],
-            _ => self.between(index as f64 / (self.size().max(2) - 1) as f64),
+            _ => self.between(index as f64 / (self.count().max(2) - 1) as f64),
         }
     }
 
@@ -114,10 +114,10 @@ impl Values {
     /// Random value.
     pub fn draw(&self, random: &mut Random) -> f64 {
         let fraction = random.uniform();
-        match self.count() {
-            None => self.between(fraction),
-            Some(size) => self.at((fraction * size as f64) as u64),
+        if self.is_continuous() {
+            return self.between(fraction);
         }
+        self.at((fraction * self.count() as f64) as u64)
     }
 
     /// Least and greatest value.
@@ -138,7 +138,7 @@ pub fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
 pub fn counted_values(text: &str) -> Result<Values, String> {
     let values: Values = text.parse()?;
     let allowed = "must be X,Y,... or LOW..HIGH/COUNT or log:LOW..HIGH/COUNT";
-    values.count().is_some().then_some(values).ok_or_else(|| allowed.to_owned())
+    (!values.is_continuous()).then_some(values).ok_or_else(|| allowed.to_owned())
 }
 
 const FORMS: &str =
@@ -186,7 +186,7 @@ mod tests {
     fn a_grid_has_both_ends_and_even_steps() {
         let all = |text: &str| {
             let values = values(text);
-            (0..values.count().unwrap()).map(|i| values.at(i)).collect::<Vec<_>>()
+            (0..values.count()).map(|i| values.at(i)).collect::<Vec<_>>()
         };
         assert_eq!(all("0.7"), [0.7]);
         assert_eq!(all("0.7,-1, 1e3"), [0.7, -1.0, 1e3]);

@@ -75,17 +75,20 @@ impl SensorKind {
 
     /// Name of its table in a file.
     pub fn name(self) -> &'static str {
-        self.description().0
+        let (name, ..) = self.description();
+        name
     }
 
     /// Columns of the samples.
     pub fn columns(self) -> &'static [&'static str] {
-        self.description().1
+        let (_, columns, ..) = self.description();
+        columns
     }
 
     /// Spellings of the unit of its columns; none where they have no unit.
     pub fn unit(self) -> &'static [&'static str] {
-        self.description().2
+        let (.., unit, _) = self.description();
+        unit
     }
 
     /// Names of the residuals: the columns, and for an orientation x, y, z of the rotation vector.
@@ -251,7 +254,8 @@ static POSITION: Key = Key::required("position", "an array of 3 finite numbers")
 static FIELD: Key = Key::required("field", "an array of 3 finite numbers, not all 0");
 
 fn read_model(section: &Section<'_>, kind: SensorKind, com: [f64; 3]) -> Result<SensorModel, Failure> {
-    section.refuse_other_keys(None, kind.description().3.iter().copied())?;
+    let (.., keys) = kind.description();
+    section.refuse_other_keys(None, keys.iter().copied())?;
     let [deviation, bias_deviation, range, quantum, every] = section.numbers(&NUMBERS)?;
     let noise = Noise { deviation, bias_deviation };
     if every.fract() != 0.0 {

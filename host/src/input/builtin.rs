@@ -5,13 +5,13 @@ use toytop::{InitialAngles, Sign, Signs, Support, TopParameters};
 
 /// Scenarios of the paper's figures 2 and 3, of seven tops in SI units, and of two motions near the separatrix.
 pub fn scenarios() -> Vec<Scenario> {
-    let samples = SAMPLES.map(|(name, text)| Scenario::parse(name, text).expect("a valid sample"));
+    let from_files = SCENARIO_FILES.map(|(name, text)| Scenario::parse(name, text).expect("a valid file"));
     let near_separatrix = NEAR_SEPARATRIX.map(|(name, gap)| {
         // e₂ and e₃ are on both sides of 1, so that the axis stays near the vertical for a long part of every period; A and C differ
         let e = [0.2, 1.0 - 0.5 * gap, 1.0 + 0.5 * gap];
         curve(name.to_owned(), [1.1, 0.8, 0.6, 0.9], e, SAME)
     });
-    figures().into_iter().chain(samples).chain(near_separatrix).collect()
+    figures().into_iter().chain(from_files).chain(near_separatrix).collect()
 }
 
 /// Motions near the separatrix: name, and e₃ - e₂.
@@ -21,7 +21,7 @@ const NEAR_SEPARATRIX: [(&str, f64); 2] = [("near separatrix 1e-3", 1e-3), ("nea
 pub const TOY_TOP: &str = include_str!("../../scenarios/toy_top.toml");
 
 /// Scenario files that are not figures of the paper.
-const SAMPLES: [(&str, &str); 7] = [
+const SCENARIO_FILES: [(&str, &str); 7] = [
     ("toy top 150 rad/s", TOY_TOP),
     ("sleeping top", include_str!("../../scenarios/sleeping.toml")),
     ("Lagrange top", include_str!("../../scenarios/lagrange.toml")),

@@ -116,19 +116,24 @@ impl SampleColumn {
 
     /// Key of JSON.
     pub fn key(self) -> &'static str {
-        self.description().0
+        let (key, ..) = self.description();
+        key
     }
 
     /// Names of its numbers as columns of CSV.
     pub fn names(self) -> &'static [&'static str] {
-        self.description().1
+        let (_, names, _) = self.description();
+        names
     }
 
     /// Unit of its numbers.
     pub fn unit(self, support: Support) -> Unit {
         match self {
             Self::Tip if support != Support::Sliding => Any(""),
-            _ => self.description().2,
+            _ => {
+                let (.., unit) = self.description();
+                unit
+            }
         }
     }
 

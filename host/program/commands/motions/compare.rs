@@ -55,8 +55,8 @@ const PROPAGATORS: [(Method, Scalar); 6] = [
     (Method::Table, Scalar::Q15),
 ];
 
-/// Samples in a period.
-const SAMPLES: u32 = 64;
+/// Number of times in a period.
+const TIMES_PER_PERIOD: u32 = 64;
 
 /// Greatest errors of a propagator on a motion; `None` without a table. The names are the keys of JSON.
 #[derive(Clone, Serialize)]
@@ -130,7 +130,7 @@ fn table(motions: &[Vec<Comparison<'_>>], periods: u32) -> String {
         .chain(propagators)
         .chain(["error / bound", "ns", "verdict"].map(str::to_owned));
     format!(
-        "{}\nThe core against the full 3-D equations, {SAMPLES} times in a period over {periods} periods.\n\
+        "{}\nThe core against the full 3-D equations, {TIMES_PER_PERIOD} times in a period over {periods} periods.\n\
          Columns: greatest error of the orientation, 2 sqrt(|d alpha|^2 + |d beta|^2), rad. error / bound:\n\
          greatest ratio. ns: look-up, median of five parts. Steps a period: {} (f64), {} (f32). More: CSV.\n",
         TextTable::new(1, header, motions.iter().map(line)).aligned(),
@@ -151,7 +151,7 @@ fn compare<'a>(
     let (motion, name, periods) = (&scenario.motion, &*scenario.name, arguments.periods);
     let (time, remark) = compared_time(motion, periods);
     notes.extend(remark.map(|remark| format!("{name}: {remark}")));
-    let times = spread_times(time, SAMPLES * periods);
+    let times = spread_times(time, TIMES_PER_PERIOD * periods);
     let mut solver_states = Vec::new();
     let mut rows = Vec::new();
     for (method, scalar) in PROPAGATORS {

@@ -54,13 +54,13 @@ impl Sweep {
             if by_key.iter().any(|(other, _)| *other == key) {
                 return Err(Failure::input("must be given once only").at(name));
             }
-            if sample.is_none() && values.count().is_none() {
+            if sample.is_none() && values.is_continuous() {
                 let forms = "must be LOW..HIGH/COUNT or numbers (or draw a sample: --motions N)";
                 return Err(Failure::input(forms).at("a range in a grid").at(name));
             }
             by_key.push((key, values));
         }
-        let grid = || by_key.iter().try_fold(1_u64, |count, (_, values)| count.checked_mul(values.size()));
+        let grid = || by_key.iter().try_fold(1_u64, |count, (_, values)| count.checked_mul(values.count()));
         let Some(count) = sample.map(|(motions, _)| motions).or_else(grid).filter(|n| *n <= MAX_MOTIONS)
         else {
             let reason = format!("a grid: must have at most {:e} motions", MAX_MOTIONS as f64);
@@ -84,8 +84,8 @@ impl Sweep {
         let number = |(key, values): &(&'static str, Values)| match &mut random {
             Some(random) => (*key, values.draw(random)),
             None => {
-                motions /= values.size();
-                (*key, values.at(index / motions % values.size()))
+                motions /= values.count();
+                (*key, values.at(index / motions % values.count()))
             }
         };
         self.varied.iter().map(number).collect()
