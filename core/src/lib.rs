@@ -90,7 +90,7 @@ mod tests {
         held::<(TableQ31, TableQ15)>();
     }
 
-    /// Public types whose values a program may log have a format for logs; tables and their memory have none.
+    /// Public types whose values a program may log have a format for logs; the memory of a set-up has none.
     #[cfg(feature = "defmt")]
     #[test]
     fn firmware_may_log_everything() {

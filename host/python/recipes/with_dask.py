@@ -1,4 +1,4 @@
-"""Sweep with Dask: each part computes its launches by their number, anywhere in a cluster."""
+"""Sweep with Dask: each part computes its launches by their number, on any worker."""
 
 import dask
 import numpy as np

@@ -124,7 +124,7 @@ impl Weierstrass {
         self.value(Lattice::zeta, z)
     }
 
-    /// σ(z), with σ'/σ = ζ. It grows like the exponential of a square: beyond e^650 it is limited to e^650;
+    /// σ(z), with σ'/σ = ζ. It grows like the exponential of a square: beyond the range of `f64`, near e^709, it is infinite;
     /// [`Weierstrass::ln_sigma`] has no such limit.
     #[must_use]
     pub fn sigma(&self, z: Complex<f64>) -> Complex<f64> {

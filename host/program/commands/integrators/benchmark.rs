@@ -15,7 +15,7 @@ use toytop_host::output::{self, Format};
 /// Reference values of the heavy tops that integrators are tested with
 #[derive(Args)]
 #[command(
-    after_help = "The values have 30 digits, which two integrations confirm. The conventions are those of the problem's source.\n\n\
+    after_help = "The values have 30 digits, which a second computation confirms. The conventions are those of the problem's source.\n\n\
         Example: toytop benchmark bruls_cardona --format json\n         \
         toytop benchmark bruls_cardona --times 0..2/2001 --format csv > run.csv && toytop score --benchmark bruls_cardona run.csv"
 )]

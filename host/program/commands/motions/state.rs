@@ -139,7 +139,7 @@ fn sampler(
     Ok(Box::new(move |index| samples[index as usize]))
 }
 
-/// Samples of the full solver, of which only the whole turns of the tip angle come from the core.
+/// Samples of the full solver. From the core come the whole turns of the tip angle, and the start of a motion given by branch points.
 fn full_solver_samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<MotionSample>, Failure> {
     let states = full_solver::states(scenario, times)?;
     let angle = TipAngle::new(&scenario.motion);

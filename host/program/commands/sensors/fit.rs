@@ -79,6 +79,9 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
     let samples = samples.display();
     let fit = fit_launch(input, &measurements).map_err(|mut failure| {
+        if failure.path.is_empty() {
+            return failure;
+        }
         let name = failure.path.remove(0);
         match &*name {
             "samples" => failure.at(samples.to_string()),
