@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::SizedTable<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 8,
-    crc32: 0x4e0bf20b,
+    crc32: 0x2d06ec99,
     clock: toytop::Clock {
         step: [[2575318670, 588342322, 56542227], [1397476701, 672778249, 51392304], [1925780593, 2227764775, 4247109518]],
         tip_start_quarter_turns: 0,
@@ -18,15 +18,15 @@ pub static TOY_TOP: toytop::SizedTable<f32, 25> = match (toytop::Baked::<f32, 25
         x_rate: 421.27243,
         mean_sum_rate: 5.170723,
         axial_rate: 150.0,
-        first_phases: [3692917304640667648, 6222313672993579456, 14311161740605781632],
+        first_phases: [3692917304640667648, 6222313673009887168, 14311161740609468544],
         step_turns: [[0.013164763137927308, -7.264364292596984e-19], [0.01196570325564672, 5.055296133792726e-19], [-0.011142757134816631, 4.037775287142448e-19]],
         ticks_per_time: [1000.0, 0.0],
-        tip_start: [0, 4291729472, 2147483647, 0],
+        tip_start: [0, 16756800, 2147483648, 0],
         tip_step: [3323257293, 2900543024, 3534526, 0],
         epoch: 0,
     },
-    error_bound: toytop::ErrorBound { constant: 1.7218053712385857e-7, per_tick: 1.682593121439885e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00019704494260540427, per_tick: 2.5784505776669533e-16 },
+    error_bound: toytop::ErrorBound { constant: 1.726818004916376e-7, per_tick: 1.682593121439885e-18 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.0001972553681267373, per_tick: 2.5784505776669533e-16 },
     cells: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     segments: [
         [
