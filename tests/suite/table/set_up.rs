@@ -38,10 +38,10 @@ fn tables_in_place_equal_those_by_value() {
 #[test]
 fn a_table_too_small_is_refused() {
     let motion = vectors::motion("exact_near_separatrix_straddle");
-    assert_eq!(TableF32::segments_needed(&motion, f64::from(f32::EPSILON)), Ok(26));
+    assert_eq!(TableF32::segments_needed(&motion, f64::from(f32::EPSILON)), Ok(27));
     assert!(
-        table_if_it_fits::<f32, 25>(&motion, kilohertz()).is_none()
-            && table_if_it_fits::<f32, 26>(&motion, kilohertz()).is_some()
+        table_if_it_fits::<f32, 26>(&motion, kilohertz()).is_none()
+            && table_if_it_fits::<f32, 27>(&motion, kilohertz()).is_some()
     );
     assert!(
         SizedTable::<f32, 16>::new(&motion, TableSettings { truncation: Some(1e-4), ..kilohertz().into() })

@@ -1,5 +1,6 @@
 //! Error budget: the shares of the allowed truncation error, which [the error bound](crate::error_bound) lists.
 
+use crate::table::data::cell::MIN_DEPTH;
 use crate::table::evaluation::TableScalar;
 use crate::table::evaluation::rounding::TABLE_UNIT;
 
@@ -7,6 +8,8 @@ use crate::table::evaluation::rounding::TABLE_UNIT;
 const PATH_FRACTION: f64 = 1.0 / 8.0;
 /// Share of dropped terms. It costs about one more term.
 const TERMS_FRACTION: f32 = 1.0 / 256.0;
+/// Part of a segment's share that a segment of two cells may use: its derivative, and with it the energy, is less accurate.
+const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
 /// Factor of the limit below which a term ends the series of a rate: factor · half length of the span · allowed error of dropped terms. The integral
 /// of such a term over the span is some hundred times smaller than the limit.
@@ -16,8 +19,8 @@ const LAST_TERM_FACTOR: f64 = 512.0;
 pub(super) struct ErrorBudget {
     /// Truncation error of all steps along half a period, rad.
     pub(super) path_error: f64,
-    /// Truncation error of a segment, rad.
-    pub(super) segment_error: f32,
+    /// Truncation error of a segment of at most one cell, rad.
+    segment_error: f32,
     /// Error by the dropped terms of a and b, rad.
     dropped_terms_error: f64,
     /// This error in units of 2^-62.
@@ -35,6 +38,11 @@ impl ErrorBudget {
             dropped_terms_error,
             dropped_terms: (dropped_terms_error / TABLE_UNIT) as i64,
         }
+    }
+
+    /// Truncation error of a segment of this depth, rad.
+    pub(super) fn segment_error_at(&self, depth: u32) -> f32 {
+        if depth == MIN_DEPTH { TWO_CELLS_FRACTION * self.segment_error } else { self.segment_error }
     }
 
     /// Whether the estimated sum of the terms after the sixteenth is small enough.

@@ -184,7 +184,7 @@ impl HalfPeriod {
         for (segment, number) in cell.parts(depth).zip(self.segment_count..) {
             let span = path.span_at(segment.begin, depth, pause)?;
             bounds.include(&store_segment::<R>(span, segment, segments.get_mut(number), pause));
-            let is_accurate = bounds.error <= path.budget.segment_error;
+            let is_accurate = bounds.error <= path.budget.segment_error_at(depth);
             if !is_accurate {
                 return None;
             }
