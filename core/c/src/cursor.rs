@@ -18,7 +18,7 @@ toytop_cursor[8]
 }
 
 impl<R> Opaque for OfTable<Cursor<R>> {
-    /// The same for every scalar, as the layout is.
+    /// Tag of a cursor of any scalar: all have one layout.
     const TAG: u32 = 0x746f_7063;
 }
 

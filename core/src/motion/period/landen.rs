@@ -78,7 +78,7 @@ impl<F: Float> Landen<F> {
         F::from_extended(Extended::TWO_PI).halved().halved() * self.scale.sqrt()
     }
 
-    /// Number of nodes to begin with (1, 3 or 5), and number needed for a relative error: 4, 8, 16, ... times the first.
+    /// Number of nodes to begin with (1, 3 or 5), and number needed for these bits: 4, 8, 16, ... times the first.
     pub(super) fn node_counts(&self, bits: f64) -> (u32, u32) {
         let nodes = bits / self.bits_per_node();
         let doubled = |division: u32| {
