@@ -46,6 +46,6 @@ impl<R: TableScalar> Table<R> {
     /// Sample of the motion at the instant of an event of this table, or of one with the same ticks.
     #[must_use]
     pub fn at_event(&self, event: &Event) -> Sample<'_, R> {
-        self.at_ticks(event.ticks())
+        self.at_instant(event.ticks().into())
     }
 }

@@ -6,7 +6,7 @@ use crate::motion::{Motion, normal_force};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real, Ring};
 use crate::su2::Orientation;
-use crate::table::{Phases, Sample, Table, TableScalar};
+use crate::table::{Instant, Phases, Sample, Table, TableScalar};
 
 /// Value of u, the cosine of the tilt, stored as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,7 +101,7 @@ pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
 
 /// Sample at the 64 leading bits of a nutation phase, with mean phases 0.
 pub(super) fn at_phase<R: TableScalar>(table: &Table<R>, nutation: u64) -> Sample<'_, R> {
-    Sample { table, phases: Phases { nutation, alpha: 0, beta: 0 }, tick: 0, fraction: Phase::ZERO }
+    Sample { table, phases: Phases { nutation, alpha: 0, beta: 0 }, instant: Instant::ZERO }
 }
 
 /// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.

@@ -19,7 +19,7 @@ impl RecurringInstants {
     /// Instants at tick `from` or later. There are none without turning points.
     pub(super) fn new<R: TableScalar>(table: &Table<R>, phases: [Option<Phase>; 4], from: i64) -> Self {
         let nowhere = Self { next: [None; 4], period: None };
-        let step = table.clock.steps_in_turns().nutation;
+        let step = table.clock.whole_steps().nutation.to_turns();
         if !(table.clock.has_turning_points && step > Extended::ZERO) {
             return nowhere;
         }

@@ -34,7 +34,7 @@ const MAX_SKIPS: usize = 8;
 impl<R: TableScalar> Table<R> {
     /// Tip angle at a number of ticks, with a fraction.
     fn tip_angle_at(&self, ticks: Extended) -> Phase {
-        self.at_ticks(ticks).tip_angle_unchecked()
+        self.at_instant(ticks.into()).tip_angle_unchecked()
     }
 
     /// Nutation phase in (0, 1/2) turn at which φ' changes its sign; at most one, as |c|² φ' = s² (l - n u)/A.

@@ -81,22 +81,6 @@ impl WrappedPhase {
         Self::new([low, sum as u32, (sum >> 32) as u32])
     }
 
-    /// 64 leading bits of step · (n + part · 2^-64), for a step in [-1/2, 1/2) turn.
-    ///
-    /// Rounded down; error below 2^-95 turns.
-    #[inline(always)]
-    pub(crate) const fn leading_bits_after(self, n: u64, part: u64) -> u64 {
-        let [low, ..] = self.words;
-        let leading = self.leading_bits();
-        // below the product of the leading bits, in units of 2^-128 turns
-        let below = ((n as u128 * low as u128) << 32)
-            .wrapping_add(leading as u128 * part as u128)
-            .wrapping_add(((part >> 32) * low as u64) as u128);
-        // a negative phase is a turn less than the wrapped one
-        let turn_less = if (leading as i64) < 0 { part } else { 0 };
-        leading.wrapping_mul(n).wrapping_add((below >> 64) as u64).wrapping_sub(turn_less)
-    }
-
     #[inline(always)]
     pub(crate) const fn leading_bits(self) -> u64 {
         let [_, middle, upper] = self.words;
@@ -122,27 +106,6 @@ mod tests {
             // compare with 128-bit arithmetic
             let product = step.to_phase().to_bits().wrapping_mul(i128::from(n));
             assert_eq!(step.times(n), WrappedPhase::from_phase(Phase::from_bits(product)), "{n}");
-        }
-    }
-
-    /// Comparison with integers of 128 bits, which hold a small number of ticks with 12 bits behind the point.
-    #[test]
-    fn ticks_and_a_part_of_a_tick() {
-        for turns in [0.3, -0.3, 1e-9, -0.499, 0.0, -1e-25] {
-            let step = WrappedPhase::from_phase(Phase::from_turns(turns));
-            for (n, part) in [(0, 0), (0, 0xfff), (7, 1), (1000, 1 << 11), (12, (1 << 12) - 1)] {
-                let ticks = (i128::from(n) << 12) + i128::from(part);
-                let exact = (step.to_phase().principal().to_bits() * ticks) >> 12;
-                let found = step.leading_bits_after(n, (part as u64) << 52);
-                assert_eq!(
-                    found,
-                    WrappedPhase::from_phase(Phase::from_bits(exact)).leading_bits(),
-                    "{turns} {n} {part}"
-                );
-            }
-            for n in [u64::MAX, 1 << 63, 0x7fff_ffff_0000_0001] {
-                assert_eq!(step.leading_bits_after(n, 0), step.times(n).leading_bits());
-            }
         }
     }
 

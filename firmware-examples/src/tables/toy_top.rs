@@ -6,8 +6,8 @@
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::SizedTable<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
-    format: 8,
-    crc32: 0xdb7aceeb,
+    format: 9,
+    crc32: 0xe3ea0c2c,
     clock: toytop::Clock {
         step: [[2575318670, 588342322, 56542227], [1397476701, 672778249, 51392304], [1925780593, 2227764775, 4247109518]],
         tip_start_quarter_turns: 0,
@@ -19,7 +19,7 @@ pub static TOY_TOP: toytop::SizedTable<toytop::fixed::types::I2F30, 32> = match 
         mean_sum_rate: 5.170723,
         axial_rate: 150.0,
         first_phases: [3692917304640667648, 6222313672996326336, 14311161740606316224],
-        step_turns: [[0.013164763137927308, -7.264364292596984e-19], [0.01196570325564672, 5.055296133792726e-19], [-0.011142757134816631, 4.037775287142448e-19]],
+        whole_turns: [0, 0, -1],
         ticks_per_time: [1000.0, 0.0],
         tip_start: [0, 43648, 2147483648, 0],
         tip_step: [3323257293, 2900543024, 3534526, 0],

@@ -6,7 +6,7 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 use crate::table::data::cell::MIN_SEGMENTS;
 use crate::table::data::phases::is_falling;
-use crate::table::data::{Clock, Phases, Table, Tick};
+use crate::table::data::{Clock, Instant, Phases, Step, Table, Tick};
 use crate::table::evaluation::TableScalar;
 
 impl<W: Float> Clock<W> {
@@ -25,19 +25,24 @@ impl<W: Float> Clock<W> {
         let length = tick.length();
         // in `u64`, because LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is a constant
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
-        let step_turns = rates.map(|rate| rate * length);
-        let step = step_turns.map(|turns| WrappedPhase::from_phase(turns.to_phase()));
+        let turns = rates.map(|rate| rate * length);
+        let steps = turns.map(Step::from);
+        let step = steps.map(|step| step.fraction);
         let first_phases =
             launch.zip_map(step, |phase, step| WrappedPhase::from_phase(phase).minus(step.times(ticks)));
         let [alpha_winding, beta_winding] = motion.windings();
-        let mut clock = Self {
+        let tip_sign_changes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
+        // each zero of α or β replaces half a turn a period by a passage
+        let tip_turns =
+            turns.alpha + turns.beta - turns.nutation * Extended::from(0.5 * f64::from(tip_sign_changes));
+        Self {
             step: step.map(WrappedPhase::words).into_array(),
             tip_start_quarter_turns: if alpha_winding == 0 {
                 motion.signs().l_plus_n.as_i32() as i8
             } else {
                 0
             },
-            tip_sign_changes: u8::from(alpha_winding == 0) + u8::from(beta_winding == 0),
+            tip_sign_changes,
             tip_exists: !motion.regime().is_vertical(),
             has_turning_points: motion.regime() == Regime::Nutating,
             twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
@@ -46,13 +51,12 @@ impl<W: Float> Clock<W> {
             mean_sum_rate: W::from_f64(((rates.alpha + rates.beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
             first_phases: first_phases.map(WrappedPhase::leading_bits).into_array(),
-            step_turns: step_turns.map(Extended::to_f64_pair).into_array(),
+            whole_turns: steps.map(|step| step.whole_turns).into_array(),
             ticks_per_time: tick.rate().to_f64_pair(),
+            tip_step: tip_turns.to_phase().words(),
             epoch,
             ..Self::ZERO
-        };
-        clock.tip_step = clock.exact_tip_step().to_phase().words();
-        clock
+        }
     }
 }
 
@@ -78,7 +82,7 @@ impl<R: TableScalar> Table<R> {
         } else {
             off.principal()
         };
-        let mean_from_0 = clock.mean_tip(clock.epoch.into(), Phase::ZERO, nutation);
+        let mean_from_0 = clock.mean_tip(Instant::at_tick(clock.epoch), nutation);
         self.clock.tip_start = (mean + off - remainder - mean_from_0).words();
     }
 }

@@ -13,7 +13,7 @@ use crate::table::evaluation::TableScalar;
 use crc32::Crc32;
 
 /// Version of the format.
-const FORMAT: u32 = 8;
+const FORMAT: u32 = 9;
 
 /// Fields of a [`SizedTable`] as `toytop bake SCENARIO` writes them, in [the table format](crate::table_format).
 ///
@@ -98,8 +98,8 @@ impl<R: TableScalar> Table<R> {
             .u32(&[FORMAT, R::CODE, self.segments.len() as u32, R::TERMS as u32])
             .u32(clock.step.as_flattened())
             .u64(&clock.first_phases)
-            .u64(&[clock.epoch as u64])
-            .f64(clock.step_turns.as_flattened())
+            .i64(&[clock.epoch])
+            .i64(&clock.whole_turns)
             .f64(&clock.ticks_per_time)
             .u32(&clock.tip_start)
             .u32(&clock.tip_step)
@@ -146,7 +146,6 @@ macro_rules! baked {
                 }
                 let clock = &self.clock;
                 let mut fields: &[_] = &[
-                    ("step_turns", range::all_finite(clock.step_turns.as_flattened())),
                     ("ticks_per_time", range::all_finite(&clock.ticks_per_time)),
                     ("error_bound", range::all_finite(&self.error_bound.numbers())),
                     ("rate_error_bound", range::all_finite(&self.rate_error_bound.numbers())),

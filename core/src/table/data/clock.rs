@@ -2,23 +2,25 @@
 
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
+use crate::table::data::instant::Instant;
 use crate::table::data::phases::Phases;
+use crate::table::data::step::Step;
 
 /// Numbers of a table that do not depend on the segment, as in [the table format](crate::table_format).
 ///
 /// | for | fields |
 /// |---|---|
 /// | orientation at a tick | `first_phases`, `step` |
-/// | orientation at a time | also `ticks_per_time`, `step_turns` |
+/// | orientation at a time | also `ticks_per_time`, `whole_turns` |
 /// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `mean_sum_rate`, `axial_rate` |
 /// | tip angle | `tip_start`, `tip_step`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
 ///
-/// `tip_step`, `x_rate` and `mean_sum_rate` follow from `step_turns` and `ticks_per_time`. They are stored, so that a reader needs no extended precision.
+/// `tip_step`, `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored, so that a reader needs no division.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {
-    /// Increments per tick of the nutation phase and of the mean phases Λ_α and Λ_β, in units of 2^-96 turns, lowest word first.
+    /// Increments per tick of the nutation phase and of the mean phases Λ_α and Λ_β, without whole turns, in units of 2^-96 turns, lowest word first.
     pub step: [[u32; 3]; 3],
     /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
     pub tip_start_quarter_turns: i8,
@@ -38,8 +40,8 @@ pub struct Clock<W> {
     pub axial_rate: W,
     /// Nutation phase and mean phases at tick `i64::MIN`, in units of 2^-64 turns.
     pub first_phases: [u64; 3],
-    /// Increments per tick in turns, with whole turns, as sums of two `f64`.
-    pub step_turns: [[f64; 2]; 3],
+    /// Whole turns of the increments per tick, rounded down: `step` is added to them.
+    pub whole_turns: [i64; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
     /// Mean tip angle at tick 0, with whole turns, in units of 2^-96 turns, lowest word first.
@@ -62,7 +64,7 @@ impl<W: Float> Clock<W> {
         mean_sum_rate: W::ZERO,
         axial_rate: W::ZERO,
         first_phases: [0; 3],
-        step_turns: [[0.0; 2]; 3],
+        whole_turns: [0; 3],
         ticks_per_time: [0.0; 2],
         tip_start: [0; 4],
         tip_step: [0; 4],
@@ -82,8 +84,11 @@ impl<W: Copy> Clock<W> {
         Phases::from_array(self.step).map(WrappedPhase::new)
     }
 
-    pub(crate) fn steps_in_turns(&self) -> Phases<Extended> {
-        Phases::from_array(self.step_turns).map(Extended::from_f64_pair)
+    /// Increments with whole turns.
+    #[inline(always)]
+    pub(crate) fn whole_steps(&self) -> Phases<Step> {
+        let whole_turns = Phases::from_array(self.whole_turns);
+        whole_turns.zip_map(self.steps(), |whole_turns, fraction| Step { whole_turns, fraction })
     }
 
     /// Number of ticks in a unit of time.
@@ -96,19 +101,17 @@ impl<W: Copy> Clock<W> {
         Phase::from_words(self.tip_step)
     }
 
-    /// Mean tip angle at a tick and a fraction of a tick. Each zero of α or β adds half a turn.
+    /// Mean tip angle at an instant. Each zero of α or β adds half a turn.
     ///
     /// * `nutation`: 64 leading bits of the nutation phase then
-    pub(in crate::table) fn mean_tip(&self, tick: i128, fraction: Phase, nutation: u64) -> Phase {
-        let whole = Phase::from_bits(self.tip_step().to_bits().wrapping_mul(tick));
-        let part = (self.exact_tip_step() * Extended::from(fraction)).to_phase();
-        let passages = Phase::from_bits(i128::from(nutation as i64) << 31) * i64::from(self.tip_sign_changes);
-        Phase::from_words(self.tip_start) + whole + part + passages
-    }
-
-    /// Increment of the mean tip angle per tick, in turns. [`Clock::mean_tip`] adds the half turns at zeros of α or β.
-    pub(in crate::table) fn exact_tip_step(&self) -> Extended {
-        let Phases { nutation, alpha, beta } = self.steps_in_turns();
-        alpha + beta - nutation * Extended::from(0.5 * f64::from(self.tip_sign_changes))
+    pub(in crate::table) fn mean_tip(&self, Instant { tick, fraction }: Instant, nutation: u64) -> Phase {
+        let zeros = i64::from(self.tip_sign_changes);
+        let half = |phase: Phase| Phase::from_bits(phase.to_bits() >> 1);
+        let in_tick = self.whole_steps().map(|step| step.advance_in_tick(fraction));
+        let in_whole_ticks = Phase::from_bits(self.tip_step().to_bits().wrapping_mul(tick));
+        let passages = Phase::from_bits(i128::from(nutation as i64) << 31) * zeros;
+        Phase::from_words(self.tip_start) + in_whole_ticks + in_tick.alpha + in_tick.beta
+            - half(in_tick.nutation * zeros)
+            + passages
     }
 }

@@ -2,8 +2,7 @@
 
 use crate::phase::{Phase, WrappedPhase};
 use crate::su2::Orientation;
-use crate::table::data::Phases;
-use crate::table::data::Table;
+use crate::table::data::{Instant, Phases, Table};
 use crate::table::evaluation::TableScalar;
 use crate::table::read::sample::Sample;
 use core::marker::PhantomData;
@@ -43,7 +42,7 @@ impl<R: TableScalar> Cursor<R> {
             self.carry();
         }
         let phases = self.phases.map(WrappedPhase::leading_bits);
-        Sample { table, phases, tick: self.tick().into(), fraction: Phase::ZERO }
+        Sample { table, phases, instant: Instant::at_tick(self.tick()) }
     }
 
     /// Whether the phases are those of this table at the tick of the cursor. The lower bits are those of a wrapped tick number, too.
@@ -80,7 +79,7 @@ impl<R: TableScalar> Table<R> {
         let mut now = self.clock.phases_at_tick(first).map(WrappedPhase::to_phase);
         for orientation in out {
             let phases = now.map(Phase::leading_bits);
-            *orientation = Sample { table: self, phases, tick: 0, fraction: Phase::ZERO }.orientation();
+            *orientation = Sample { table: self, phases, instant: Instant::ZERO }.orientation();
             now.update(step, |now, step| now + step);
         }
     }

@@ -5,8 +5,7 @@ use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
-use crate::table::data::Phases;
-use crate::table::data::Table;
+use crate::table::data::{Instant, Phases, Table};
 use crate::table::evaluation::{NumberOf, TableScalar, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
 
@@ -19,10 +18,7 @@ pub struct Sample<'a, R: TableScalar> {
     pub(crate) table: &'a Table<R>,
     /// 64 leading bits of the phases.
     pub(crate) phases: Phases<u64>,
-    /// Tick at or before the sample.
-    pub(crate) tick: i128,
-    /// Fraction of a tick after it, with a turn for 1.
-    pub(crate) fraction: Phase,
+    pub(crate) instant: Instant,
 }
 
 /// Orientation, u and tip of a sample.

@@ -25,8 +25,8 @@ impl<R: TableScalar> Sample<'_, R> {
     }
 
     pub(crate) fn tip_angle_unchecked(&self) -> Phase {
-        let Self { table, phases: Phases { nutation, .. }, tick, fraction } = *self;
-        table.clock.mean_tip(tick, fraction, nutation) + table.tabulated_tip_angle(nutation, &mut || {})
+        let Self { table, phases: Phases { nutation, .. }, instant } = *self;
+        table.clock.mean_tip(instant, nutation) + table.tabulated_tip_angle(nutation, &mut || {})
     }
 }
 

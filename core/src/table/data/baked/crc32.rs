@@ -42,7 +42,7 @@ macro_rules! numbers {
 impl Crc32 {
     pub(crate) const EMPTY: Self = Self(u32::MAX);
 
-    numbers!(u8, u16, u32, u64, i32, f32, f64);
+    numbers!(u8, u16, u32, u64, i32, i64, f32, f64);
     #[cfg(feature = "fixed")]
     numbers!(i16);
 

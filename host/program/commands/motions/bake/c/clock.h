@@ -17,8 +17,8 @@ typedef struct {
     uint32_t not_rows;          /* ~(segments * terms): a changed size must not lead the check beyond the table */
     uint64_t first_phases[3];   /* phases at tick INT64_MIN, from which ticks are unsigned numbers */
     uint64_t epoch;             /* tick of the launch, as an unsigned number modulo 2^64 */
-    toytop_phase step[3];       /* increments in a tick */
-    uint64_t step_turns[6];     /* bits of doubles: exact steps, each a sum of two */
+    toytop_phase step[3];       /* increments in a tick, without whole turns */
+    uint64_t whole_turns[3];    /* of the increments, to which step is added, modulo 2^64 */
     uint64_t ticks_per_time[2]; /* bits of doubles */
     uint64_t error_bounds[4];   /* bits of doubles: of orientation and rates, each at tick 0 and its growth in a tick */
     uint32_t tip_start[4];      /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
@@ -89,7 +89,7 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     for (int i = 0; i < 3; i++) sum = toytop_crc(toytop_crc(sum, &clock->step[i].low, 1, 4), &clock->step[i].leading, 1, 8);
     sum = toytop_crc(sum, clock->first_phases, 3, 8);
     sum = toytop_crc(sum, &clock->epoch, 1, 8);
-    sum = toytop_crc(sum, clock->step_turns, 6, 8);
+    sum = toytop_crc(sum, clock->whole_turns, 3, 8);
     sum = toytop_crc(sum, clock->ticks_per_time, 2, 8);
     sum = toytop_crc(sum, clock->tip_start, 4, 4);
     sum = toytop_crc(sum, clock->tip_step, 4, 4);
@@ -97,13 +97,6 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     sum = toytop_crc(sum, &clock->has_turning_points, 1, 1);
     sum = toytop_crc(sum, clock->error_bounds, 4, 8);
     return toytop_crc(sum, clock->cells, 16, 2);
-}
-
-/* Number of type double with these bits. */
-static inline double toytop_number(uint64_t bits) {
-    double number;
-    memcpy(&number, &bits, sizeof number);
-    return number;
 }
 
 /* Least number of steps by which a phase advances by `ahead`, at most INT64_MAX: a long division of 96 bits. */
@@ -139,16 +132,16 @@ static inline int64_t toytop_later(int64_t tick, int64_t steps) {
 TOYTOP_API int toytop_next_turning_point(const toytop_clock *clock, int64_t n, int64_t *tick, int *upper) {
     const uint64_t close = (uint64_t)1 << 14; /* 2^-50 turns: a phase within this distance counts as the point */
     const uint64_t half = (uint64_t)1 << 63;
-    double turns = toytop_number(clock->step_turns[0]) + toytop_number(clock->step_turns[1]);
+    toytop_phase step = clock->step[0];
     int64_t from = n == INT64_MIN ? n : n - 1;
     toytop_phase ahead, now;
-    if (!(clock->has_turning_points && turns > 0.0 && turns < 0.5)) return 0;
+    if (!clock->has_turning_points || clock->whole_turns[0] != 0 || step.leading >= half) return 0;
     now = toytop_at(clock, from).phase[0];
     now.leading += close;
     *upper = now.leading < half;
     now.leading &= half - 1;
     ahead.low = 0u - now.low;
     ahead.leading = half - now.leading - (now.low != 0);
-    *tick = toytop_later(from, toytop_steps_to(ahead, clock->step[0]));
+    *tick = toytop_later(from, toytop_steps_to(ahead, step));
     return 1;
 }

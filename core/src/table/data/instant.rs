@@ -1,0 +1,66 @@
+//! Instant: any time, counted in ticks.
+
+use crate::integer::mantissa_and_exponent;
+use crate::phase::{FRACTION_BITS, Phase};
+use crate::scalar::Extended;
+
+/// Instant in ticks.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Instant {
+    /// Last tick at or before the instant.
+    pub(crate) tick: i128,
+    /// Fraction of the following tick that passes before the instant, a turn for a tick.
+    pub(crate) fraction: Phase,
+}
+
+impl Instant {
+    pub(crate) const ZERO: Self = Self::at_tick(0);
+
+    #[inline(always)]
+    pub(crate) const fn at_tick(n: i64) -> Self {
+        Self { tick: n as i128, fraction: Phase::ZERO }
+    }
+
+    /// Instant at a time t for a number of ticks in a unit of time, the sum of two parts; tick 0 if t is not finite.
+    #[inline(always)]
+    pub(crate) fn at_time(t: f64, [rate, correction]: [f64; 2]) -> Self {
+        let instant = Self::product(t, rate);
+        if correction == 0.0 {
+            return instant;
+        }
+        let Self { tick, fraction } = Self::product(t, correction);
+        Self::new(instant.tick.wrapping_add(tick), instant.fraction + fraction)
+    }
+
+    /// Product of two numbers as an instant, rounded down to 2^-96 ticks.
+    #[inline(always)]
+    fn product(a: f64, b: f64) -> Self {
+        let (a, a_exponent) = mantissa_and_exponent(a);
+        let (b, b_exponent) = mantissa_and_exponent(b);
+        let product = i128::from(a) * i128::from(b);
+        let exponent = a_exponent + b_exponent;
+        if exponent >= 0 {
+            return Self { tick: product.checked_shl(exponent as u32).unwrap_or(0), fraction: Phase::ZERO };
+        }
+        let product = product >> (-127 - exponent).clamp(0, 127);
+        let bits = (-exponent).min(127) as u32;
+        let fraction = (product as u128) << (128 - bits) >> (128 - FRACTION_BITS);
+        Self { tick: product >> bits, fraction: Phase::from_bits(fraction as i128) }
+    }
+
+    /// Instant from whole ticks and a fraction, of which whole ticks are carried.
+    #[inline(always)]
+    fn new(tick: i128, fraction: Phase) -> Self {
+        let bits = fraction.to_bits();
+        let carry = bits >> FRACTION_BITS;
+        Self { tick: tick.wrapping_add(carry), fraction: Phase::from_bits(bits - (carry << FRACTION_BITS)) }
+    }
+}
+
+/// Instant after a number of ticks, rounded to 2^-96 ticks.
+impl From<Extended> for Instant {
+    fn from(ticks: Extended) -> Self {
+        let (tick, fraction) = ticks.floor_and_fraction();
+        Self::new(tick, fraction.to_phase())
+    }
+}
