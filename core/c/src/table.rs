@@ -9,11 +9,11 @@ use toytop::internal::{MAX_SEGMENTS, MIN_SEGMENTS};
 use toytop::{SizedTable, Table, TableMemory, TableScalar};
 
 /// Bytes of a table in `f32` of the standard size, 25 segments.
-pub const TOYTOP_TABLE_F32_SIZE: usize = 2264;
+pub const TOYTOP_TABLE_F32_SIZE: usize = 2240;
 /// Bytes of a table in `f64` of the standard size, 48 segments.
-pub const TOYTOP_TABLE_F64_SIZE: usize = 17176;
+pub const TOYTOP_TABLE_F64_SIZE: usize = 17152;
 /// Bytes of a table in fixed point of the standard size, 32 segments.
-pub const TOYTOP_TABLE_Q31_SIZE: usize = 2312;
+pub const TOYTOP_TABLE_Q31_SIZE: usize = 2288;
 /// Alignment of the memory of a table, bytes.
 pub const TOYTOP_TABLE_ALIGNMENT: usize = 8;
 
@@ -22,21 +22,21 @@ pub const TOYTOP_TABLE_ALIGNMENT: usize = 8;
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_table_f32 {
-    opaque: [u64; 283],
+    opaque: [u64; 280],
 }
 
 /// Table of a motion in `f64`; see `toytop_table_f32`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_table_f64 {
-    opaque: [u64; 2147],
+    opaque: [u64; 2144],
 }
 
 /// Table of a motion in fixed point of 32 bits; see `toytop_table_f32`.
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct toytop_table_q31 {
-    opaque: [u64; 289],
+    opaque: [u64; 286],
 }
 
 /// Number that the memory of a table of this scalar begins with.

@@ -15,7 +15,7 @@
 //! | `I2F14` (q15) | `i16` | `i32` | `Q30` |
 //! | `f64` | `f64` | `f64` | `f64` |
 
-pub(super) mod rounding;
+pub(super) mod range;
 
 mod omega_q30;
 
@@ -30,6 +30,11 @@ use crate::complex::Complex;
 use crate::scalar::{Float, Real, Ring, Scalar};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
+
+/// Fraction bits of the polynomials from which the coefficients are rounded.
+pub(super) const TABLE_BITS: u32 = 62;
+/// Unit of these polynomials, 2^-62.
+pub(super) const TABLE_UNIT: f64 = 1.0 / (1_u64 << TABLE_BITS) as f64;
 
 /// Point of a segment.
 #[derive(Clone, Copy, Debug)]
@@ -124,10 +129,10 @@ pub trait Coefficient: Copy + Debug + PartialEq {
 
     // Set-up: rounding.
 
-    /// Coefficient of x^power nearest to a value, in units of 2^-62.
+    /// Coefficient of x^power nearest to a value in units of 2^-62; beyond the range, one that is not safe.
     fn nearest(value: i64, power: usize) -> Self;
-    /// Whether no sum of Horner's rule can overflow with this polynomial, in units of 2^-62.
-    fn sums_fit(polynomial: &[i64]) -> bool;
+    /// Whether no sum of Horner's rule can overflow with the coefficients of a segment.
+    fn are_safe(segment: &[[Self; 4]]) -> bool;
 
     // Tick: polynomials.
 

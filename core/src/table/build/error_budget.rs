@@ -1,8 +1,8 @@
 //! Error budget: the shares of the allowed truncation error, which [the error bound](crate::error_bound) lists.
 
 use crate::table::data::cell::MIN_DEPTH;
+use crate::table::evaluation::TABLE_UNIT;
 use crate::table::evaluation::TableScalar;
-use crate::table::evaluation::rounding::TABLE_UNIT;
 
 /// Share of all steps along half a period. The segments have the rest.
 const PATH_FRACTION: f64 = 1.0 / 8.0;

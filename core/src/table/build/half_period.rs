@@ -26,9 +26,9 @@ use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float};
+use crate::scalar::Float;
 use crate::table::data::Phases;
-use crate::table::data::cell::{CELLS, Cell, MAX_SEGMENTS, MIN_DEPTH};
+use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
 use crate::table::evaluation::TableScalar;
 
 /// Quantities of half a period besides its segments.
@@ -64,13 +64,17 @@ impl HalfPeriod {
         error: 0.0,
     };
 
-    /// Computes the segments and stores them, or without memory only counts them; refused as soon as they cannot fit.
+    /// Computes the segments and stores them; refused as soon as they cannot fit.
+    ///
+    /// * `segments`: memory of the segments; those beyond it share the last one, so that one is enough to count them
+    /// * `capacity`: greatest number of segments
     pub(super) fn compute<R: TableScalar>(
         &mut self,
         motion: &Motion,
         budget: &ErrorBudget,
         scratch: &mut PathScratch,
-        segments: Option<&mut [R::Segment]>,
+        segments: &mut [R::Segment],
+        capacity: usize,
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
         *self = Self::ZERO;
@@ -84,7 +88,8 @@ impl HalfPeriod {
         pause();
         match period {
             Some(Period { time, .. }) => {
-                self.tabulate_path::<R>(motion, time.halved(), budget, scratch, segments, pause)
+                let mut path = Path::new(scratch, budget, motion, time.halved(), self.mean_rates.rates);
+                self.tabulate_path::<R>(&mut path, segments, capacity, pause)
             }
             None => {
                 self.launch_phases = LaunchSearch::new(motion).found;
@@ -95,20 +100,15 @@ impl HalfPeriod {
     }
 
     /// Tabulates the motion from u = e₁ to u = e₂.
-    ///
-    /// * `duration`: half a period, s
     #[inline(never)]
     fn tabulate_path<R: TableScalar>(
         &mut self,
-        motion: &Motion,
-        duration: Extended,
-        budget: &ErrorBudget,
-        scratch: &mut PathScratch,
-        segments: Option<&mut [R::Segment]>,
+        path: &mut Path<'_, R::PathNumber>,
+        segments: &mut [R::Segment],
+        capacity: usize,
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
-        let mut path = Path::new(scratch, budget, motion, duration, self.mean_rates.rates);
-        self.divide::<R>(&mut path, segments, pause)?;
+        self.divide::<R>(path, segments, capacity, pause)?;
         self.launch_phases = path.launch.found;
         let [delay, residual] = path.errors();
         let bounds = &self.bounds;
@@ -117,12 +117,12 @@ impl HalfPeriod {
     }
 
     /// Stores one segment with constant a and b, for a steady motion.
-    fn store_constants<R: TableScalar>(&mut self, motion: &Motion, segments: Option<&mut [R::Segment]>) {
+    fn store_constants<R: TableScalar>(&mut self, motion: &Motion, segments: &mut [R::Segment]) {
         let Ellipses { alpha, beta } = motion.ellipses;
-        let mut first = segments.and_then(|segments| segments.first_mut());
+        let Some(first) = segments.first_mut() else { return };
         for (index, ellipse) in [alpha, beta].into_iter().enumerate() {
             let [plus, minus] = ellipse.exponentials();
-            store_polynomial::<R>(first.as_deref_mut(), index, &Polynomial::constant(plus + minus));
+            store_polynomial::<R>(first, index, &Polynomial::constant(plus + minus));
         }
         self.segment_count = 1;
     }
@@ -131,11 +131,10 @@ impl HalfPeriod {
     fn divide<R: TableScalar>(
         &mut self,
         path: &mut Path<'_, R::PathNumber>,
-        segments: Option<&mut [R::Segment]>,
+        segments: &mut [R::Segment],
+        capacity: usize,
         pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
-        let capacity = segments.as_ref().map_or(MAX_SEGMENTS, |segments| segments.len());
-        let segments = segments.unwrap_or_default();
         let mut position = 0;
         let mut depth = MIN_DEPTH;
         while position < SHORTEST_SEGMENTS {
@@ -183,7 +182,9 @@ impl HalfPeriod {
         let mut bounds = SegmentBounds::ZERO;
         for (segment, number) in cell.parts(depth).zip(self.segment_count..) {
             let span = path.span_at(segment.begin, depth, pause)?;
-            bounds.include(&store_segment::<R>(span, segment, segments.get_mut(number), pause));
+            let last = segments.len().checked_sub(1)?;
+            let stored = segments.get_mut(number.min(last))?;
+            bounds.include(&store_segment::<R>(span, segment, stored, pause));
             let is_accurate = bounds.error <= path.budget.segment_error_at(depth);
             if !is_accurate {
                 return None;

@@ -8,7 +8,7 @@ use super::path::PathScratch;
 use crate::body::{ParameterError, check};
 use crate::constants::Regime;
 use crate::motion::Motion;
-use crate::table::data::cell::MIN_SEGMENTS;
+use crate::table::data::cell::{MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::table::data::{Clock, SizedTable, Table, TableMemory, Tick};
 use crate::table::evaluation::TableScalar;
 
@@ -96,12 +96,13 @@ impl Workspace {
     }
 }
 
-/// Computes the segments of half a period and stores them, or without memory only counts them.
+/// Computes the segments of half a period and stores them: see [`HalfPeriod::compute`].
 fn tabulate<R: TableScalar>(
     motion: &Motion,
     truncation: f64,
     workspace: &mut Workspace,
-    segments: Option<&mut [R::Segment]>,
+    segments: &mut [R::Segment],
+    capacity: usize,
     pause: &mut dyn FnMut(),
 ) -> Result<(), SetUpError> {
     let positive = truncation > 0.0 && truncation < f64::INFINITY;
@@ -111,7 +112,7 @@ fn tabulate<R: TableScalar>(
     }
     let Workspace { half_period, scratch } = workspace;
     half_period
-        .compute::<R>(motion, &ErrorBudget::new::<R>(truncation), scratch, segments, pause)
+        .compute::<R>(motion, &ErrorBudget::new::<R>(truncation), scratch, segments, capacity, pause)
         .map_err(|TooManySegments { segments }| SetUpError::TableTooSmall { truncation, segments })
 }
 
@@ -147,7 +148,8 @@ impl<R: TableScalar> Table<R> {
         pause: &mut dyn FnMut(),
     ) -> Result<(), SetUpError> {
         let truncation = settings.truncation.unwrap_or(R::TRUNCATION);
-        tabulate::<R>(motion, truncation, workspace, Some(&mut self.segments), pause)?;
+        let capacity = self.segments.len();
+        tabulate::<R>(motion, truncation, workspace, &mut self.segments, capacity, pause)?;
         self.write_header(&workspace.half_period, motion, settings, pause);
         Ok(())
     }
@@ -193,7 +195,7 @@ impl<R: TableScalar, S: ?Sized> Table<R, S> {
     /// [`SetUpError`]; the table is too small if 4096 segments are too few.
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Result<u32, SetUpError> {
         let workspace = &mut Workspace::new();
-        tabulate::<R>(motion, truncation, workspace, None, &mut || {})?;
+        tabulate::<R>(motion, truncation, workspace, &mut [R::ZERO_SEGMENT], MAX_SEGMENTS, &mut || {})?;
         Ok(workspace.half_period.segment_count.max(MIN_SEGMENTS) as u32)
     }
 }

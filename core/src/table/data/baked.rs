@@ -1,7 +1,6 @@
 //! Baked table: literal data for the flash of a chip.
 
 mod crc32;
-mod range;
 
 use core::fmt;
 
@@ -9,7 +8,7 @@ use crate::table::data::Clock;
 use crate::table::data::ErrorBound;
 use crate::table::data::cell::{CELLS, Cell};
 use crate::table::data::table::{SizedTable, Table};
-use crate::table::evaluation::TableScalar;
+use crate::table::evaluation::{TableScalar, range};
 use crc32::Crc32;
 
 /// Version of the format.

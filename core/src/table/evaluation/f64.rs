@@ -3,8 +3,7 @@
 use crate::complex::Complex;
 use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
-use crate::table::evaluation::rounding::TABLE_UNIT;
-use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors};
+use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_UNIT, TableScalar, TickErrors, range};
 
 impl TableScalar for f64 {
     type Coefficient = Self;
@@ -48,8 +47,8 @@ impl Coefficient for f64 {
         value as f64 * TABLE_UNIT
     }
 
-    fn sums_fit(_: &[i64]) -> bool {
-        true
+    fn are_safe(segment: &[[f64; 4]]) -> bool {
+        range::are_safe_f64(segment.as_flattened())
     }
 
     #[inline]

@@ -6,8 +6,7 @@ use crate::scalar::{Q30, Wide, coarse_sine_cosine_q30};
 use crate::su2::Vector;
 use crate::table::evaluation::i32::{COORDINATE_ERROR, ERRORS_Q30};
 use crate::table::evaluation::omega_q30::omega_body;
-use crate::table::evaluation::rounding::{TABLE_BITS, sums_fit};
-use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors};
+use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_BITS, TableScalar, TickErrors, range};
 use fixed::types::I2F14;
 
 /// Unit of the sums, 2^-15.
@@ -47,25 +46,24 @@ impl TableScalar for I2F14 {
     }
 }
 
-/// Coefficient of a power in units of 2^-15, from its value in units of 2^-62.
-fn rounded(value: i64, power: usize) -> i64 {
-    /// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.
-    const SHRINK: i64 = (1 << 30) - 10093;
-    // 2^-30 of the value's unit is far below the rounding
-    shifted_right((value >> 30) * SHRINK, TABLE_BITS - 15 - power as u32)
-}
-
 impl Coefficient for i16 {
     type Sum = i32;
     type Number = Q30;
     type Quantity = f32;
 
     fn nearest(value: i64, power: usize) -> Self {
-        rounded(value, power).clamp(i16::MIN.into(), i16::MAX.into()) as i16
+        /// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.
+        const SHRINK: i64 = (1 << 30) - 10093;
+        // 2^-30 of the value's unit is far below the rounding
+        let rounded = shifted_right((value >> 30) * SHRINK, TABLE_BITS - 15 - power as u32);
+        if power == 0 {
+            return rounded.clamp(i16::MIN.into(), i16::MAX.into()) as i16;
+        }
+        rounded.try_into().unwrap_or(i16::MIN)
     }
 
-    fn sums_fit(polynomial: &[i64]) -> bool {
-        sums_fit(polynomial, |value, power| rounded(value, power) << 16)
+    fn are_safe(segment: &[[i16; 4]]) -> bool {
+        range::are_safe_i16(segment.as_flattened())
     }
 
     #[inline]
@@ -115,21 +113,5 @@ impl Coefficient for i16 {
         rates: [f32; 3],
     ) -> (Vector<Q30>, i32) {
         omega_body(polynomials, difference, point, rates)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::table::evaluation::rounding::polynomial_q62;
-
-    #[test]
-    fn sums_stay_below_their_powers() {
-        assert!(i16::sums_fit(&polynomial_q62([0.9, 0.4999, 0.0])));
-        assert!(!i16::sums_fit(&polynomial_q62([0.9, 0.5001, 0.0])));
-        assert!(!i16::sums_fit(&polynomial_q62([0.9, 0.2, -0.2501, 0.0])));
-        // of the second sum, half of the first is 0.375
-        assert!(!i16::sums_fit(&polynomial_q62([0.9, 0.33, 0.1875, 0.0])));
-        assert!(i16::sums_fit(&polynomial_q62([0.9, 0.31, 0.1875, 0.0])));
     }
 }

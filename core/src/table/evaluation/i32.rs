@@ -9,8 +9,7 @@ use crate::integer::{high_product, shifted_right};
 use crate::scalar::{Q30, Scalar, Wide, short_sine_cosine_q31};
 use crate::su2::Vector;
 use crate::table::evaluation::omega_q30::omega_body;
-use crate::table::evaluation::rounding::{TABLE_BITS, sums_fit};
-use crate::table::evaluation::{Coefficient, SegmentPoint, TableScalar, TickErrors};
+use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_BITS, TableScalar, TickErrors, range};
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
 
@@ -86,24 +85,23 @@ impl TableScalar for I2F30 {
     }
 }
 
-/// Coefficient of a power in units of 2^-31, from its value in units of 2^-62. It has half a unit more, because the product added to it is
-/// rounded down. The constant has none: a complement changes its sign.
-fn rounded(value: i64, power: usize) -> i64 {
-    let dropped = TABLE_BITS - 31 - power as u32;
-    if power == 0 { shifted_right(value, dropped) } else { (value >> dropped) + 1 }
-}
-
 impl Coefficient for i32 {
     type Sum = Self;
     type Number = Q30;
     type Quantity = f32;
 
+    /// Coefficient in units of 2^-(31 + power). It has half a unit more, because the product added to it is rounded down. The constant has none: a
+    /// complement changes its sign.
     fn nearest(value: i64, power: usize) -> Self {
-        rounded(value, power).clamp(i32::MIN.into(), i32::MAX.into()) as i32
+        let dropped = TABLE_BITS - 31 - power as u32;
+        if power == 0 {
+            return shifted_right(value, dropped).clamp(i32::MIN.into(), i32::MAX.into()) as i32;
+        }
+        ((value >> dropped) + 1).try_into().unwrap_or(i32::MIN)
     }
 
-    fn sums_fit(polynomial: &[i64]) -> bool {
-        sums_fit(polynomial, rounded)
+    fn are_safe(segment: &[[i32; 4]]) -> bool {
+        range::are_safe_i32(segment.as_flattened())
     }
 
     #[inline]
@@ -162,16 +160,33 @@ impl Coefficient for i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::table::evaluation::rounding::polynomial_q62;
+    use crate::table::evaluation::TABLE_UNIT;
+
+    /// Coefficients of the segment nearest to polynomials with these values, lowest power first.
+    fn segment<C: Coefficient, const N: usize>(values: [f64; N]) -> [[C; 4]; N] {
+        let mut power = 0..;
+        values.map(|value| [C::nearest((value / TABLE_UNIT) as i64, power.next().unwrap_or(0)); 4])
+    }
 
     #[test]
     fn sums_stay_below_1() {
-        for (values, fit) in [
+        for (values, is_safe) in [
             ([0.9, 0.3, 0.05, 0.02, -0.03, 0.01], true),
             ([0.0, 0.0, 0.0, 0.0, 0.02, 0.03], true),
             ([0.0, 0.0, 0.0, 0.0, 0.02, 0.04], false),
         ] {
-            assert_eq!(i32::sums_fit(&polynomial_q62(values)), fit, "{values:?}");
+            assert_eq!(i32::are_safe(&segment(values)), is_safe, "{values:?}");
+        }
+        #[cfg(feature = "fixed")]
+        for (values, is_safe) in [
+            ([0.9, 0.4999, 0.0, 0.0], true),
+            ([0.9, 0.5001, 0.0, 0.0], false),
+            ([0.9, 0.2, -0.2501, 0.0], false),
+            // of the second sum, half of the first is 0.375
+            ([0.9, 0.33, 0.1875, 0.0], false),
+            ([0.9, 0.31, 0.1875, 0.0], true),
+        ] {
+            assert_eq!(i16::are_safe(&segment(values)), is_safe, "{values:?}");
         }
     }
 
@@ -179,12 +194,12 @@ mod tests {
     fn a_coefficient_is_within_a_unit() {
         for power in 0..16 {
             for value in [0.2, -0.2, 1e-9, 0.0].map(|value| value * 0.5_f64.powi(power)) {
-                let [value] = polynomial_q62([value]);
+                let value = (value / TABLE_UNIT) as i64;
                 let stored = f64::from(i32::nearest(value, power as usize)) * 2_f64.powi(-31 - power);
-                let error = stored - value as f64 * 2_f64.powi(-62);
+                let error = stored - value as f64 * TABLE_UNIT;
                 assert!(error.abs() <= 2_f64.powi(-31 - power), "{power} {value}");
             }
         }
-        assert_eq!(i32::nearest(i64::MAX, 1), i32::MAX);
+        assert!(!i32::are_safe(&[[0; 4], [i32::nearest(i64::MAX, 1); 4]]));
     }
 }

@@ -5,28 +5,22 @@ use crate::table::build::interval::Interval;
 use crate::table::build::path::Span;
 use crate::table::build::path::polynomial::Polynomial;
 use crate::table::evaluation::Coefficient;
+use crate::table::evaluation::TABLE_UNIT;
 use crate::table::evaluation::TableScalar;
-use crate::table::evaluation::rounding::TABLE_UNIT;
 
-/// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment, if there is one. Returns whether a tick can evaluate it without
-/// overflow.
+/// Rounds the polynomial of a (index 0) or b (1), and stores it in a segment.
 pub(super) fn store_polynomial<R: TableScalar>(
-    segment: Option<&mut R::Segment>,
+    segment: &mut R::Segment,
     index: usize,
     polynomial: &Polynomial,
-) -> bool {
-    let rows = segment.map_or(&mut [][..], AsMut::as_mut);
-    let mut fit = true;
+) {
     for (column, part) in (2 * index..).zip(&polynomial.parts) {
-        let coefficients = part.coefficients.get(..R::TERMS).unwrap_or(&part.coefficients);
-        for (power, (row, &value)) in rows.iter_mut().zip(coefficients).enumerate() {
+        for (power, (row, &value)) in segment.as_mut().iter_mut().zip(&part.coefficients).enumerate() {
             if let Some(stored) = row.get_mut(column) {
                 *stored = R::Coefficient::nearest(value, power);
             }
         }
-        fit &= R::Coefficient::sums_fit(coefficients);
     }
-    fit
 }
 
 /// Upper bounds on the errors of segments, rad, and on speeds, rad per half period. They are in `f32`, for which many chips have an FPU.
@@ -66,14 +60,13 @@ impl SegmentBounds {
     }
 }
 
-/// Computes the polynomials of a and b on a segment of a span, and stores them if the table has the segment.
+/// Computes and stores the polynomials of a and b on a segment of a span.
 pub(super) fn store_segment<R: TableScalar>(
     mut span: Span<'_>,
     segment: Interval,
-    mut stored_segment: Option<&mut R::Segment>,
+    stored: &mut R::Segment,
     pause: &mut dyn FnMut(),
 ) -> SegmentBounds {
-    let mut fit = true;
     let mut truncation_squared = 0.0;
     let mut slope_squared = 0.0;
     for index in 0..2 {
@@ -81,13 +74,18 @@ pub(super) fn store_segment<R: TableScalar>(
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
-        fit &= store_polynomial::<R>(stored_segment.as_deref_mut(), index, polynomial);
+        store_polynomial::<R>(stored, index, polynomial);
         pause();
     }
+    let is_safe = R::Coefficient::are_safe((*stored).as_ref());
     // x grows by 2 over a segment
     let x_per_half_period = (2_u32 << segment.depth) as f32;
     SegmentBounds {
-        error: if fit { 2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared) } else { f32::INFINITY },
+        error: if is_safe {
+            2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared)
+        } else {
+            f32::INFINITY
+        },
         angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_per_half_period,
         residual_rate: span.residual_rate,
         x_per_half_period,

@@ -6,7 +6,7 @@ use super::series::MAX_TERMS;
 use crate::integer::{Limbs, product_u32, u64_to_f32};
 use crate::scalar::{Float, Ring};
 use crate::table::build::error_budget::ErrorBudget;
-use crate::table::evaluation::rounding::TABLE_UNIT;
+use crate::table::evaluation::TABLE_UNIT;
 
 /// Fraction bits of the coefficients of [`CHEBYSHEV`].
 const CHEBYSHEV_BITS: u32 = MAX_TERMS as u32 - 2;

@@ -4,7 +4,7 @@ use super::{Expansion, MAX_TERMS, PowerSeries};
 use crate::integer::{Limbs, shifted_right, to_units};
 use crate::scalar::{Ring, SINE_BITS, sine_cosine_q57};
 use crate::table::build::path::series::{BITS, UnitFactor, in_range, integrated};
-use crate::table::evaluation::rounding::TABLE_BITS;
+use crate::table::evaluation::TABLE_BITS;
 
 /// Difference of the fraction bits of a coefficient of a or b, 62, and of one of an exponential, 56.
 const MORE_BITS: i32 = TABLE_BITS as i32 - BITS;
@@ -110,7 +110,7 @@ mod tests {
     use crate::motion::phase_equations::PhaseEquations;
     use crate::phase::Phase;
     use crate::scalar::{Extended, Float, Scalar};
-    use crate::table::evaluation::rounding::TABLE_UNIT;
+    use crate::table::evaluation::TABLE_UNIT;
 
     fn equations(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {
         let parameters = TopParameters {
