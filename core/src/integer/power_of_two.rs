@@ -12,7 +12,7 @@ pub(crate) const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits((field as u64) << 52)
 }
 
-/// Least e with |x| < 2^e; very small for 0.
+/// Least e with |x| < 2^e; -1022 for 0 and the numbers below the normal ones.
 pub(crate) fn exponent(x: f64) -> i32 {
     ((x.to_bits() >> 52) & 0x7ff) as i32 - 1022
 }
@@ -61,8 +61,8 @@ pub(crate) fn mantissa_and_exponent(x: f64) -> (i64, i32) {
 /// Integer nearest to x / 2^exponent, at most ±2^62.
 #[inline(never)]
 pub(crate) fn to_units(x: f64, exponent: i32) -> i64 {
-    let (mantissa, own) = mantissa_and_exponent(x);
-    match own.saturating_sub(exponent) {
+    let (mantissa, x_exponent) = mantissa_and_exponent(x);
+    match x_exponent.saturating_sub(exponent) {
         10.. => mantissa.signum() << 62,
         shift @ 0.. => mantissa << shift,
         shift @ -62.. => shifted_right(mantissa, -shift as u32),

@@ -11,7 +11,7 @@ pub(crate) struct LaunchRounding {
     /// Relative error of the period, and of ψ_α and ψ_β over a period.
     pub(crate) relative: f64,
     /// Error of the rates of λ_α and λ_β, rad/s.
-    pub(crate) lambda_rates: f64,
+    pub(crate) slow_rate_error: f64,
 }
 
 /// Number of roundings counted for l + n, for l - n and for each coefficient of a cubic.
@@ -32,9 +32,9 @@ impl LaunchRounding {
         let one = Extended::ONE;
         let rounding = ROUNDINGS_OF_A_COEFFICIENT * Extended::OPERATION_ERROR;
         let speed = dot(state.omega(), state.omega()).sqrt();
-        let lambda_rates = rounding * (((one + (c - a).abs() / a) * speed.into() + k / a).to_f64());
+        let slow_rate_error = rounding * (((one + (c - a).abs() / a) * speed.into() + k / a).to_f64());
         if top.is_torque_free() {
-            return Self { relative: rounding, lambda_rates };
+            return Self { relative: rounding, slow_rate_error };
         }
         let ReducedPoint { u, one_minus_u, one_plus_u, axis_energy, .. } = *point;
         // terms of n = C ⟨ω, r⟩ + K, which may cancel
@@ -53,6 +53,6 @@ impl LaunchRounding {
             upper / e.e3_minus_e2 + lower * (one / e.e3_minus_e1() + (u.abs() * p * s / a).doubled());
         let relative = rounding * condition.to_f64();
         // infinite for e₂ = e₃, which has no period
-        Self { relative: if relative.is_finite() { relative } else { 0.0 }, lambda_rates }
+        Self { relative: if relative.is_finite() { relative } else { 0.0 }, slow_rate_error }
     }
 }

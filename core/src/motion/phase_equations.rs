@@ -8,7 +8,7 @@
 //! √2 β = [√(1-e₁) cos χ + i s₋ √(1-e₂) sin χ] e^{iλ_β},    λ_β = λ_β(0) + ψ_β - τt/2
 //! ```
 //!
-//! The ellipses absorb the factors 1/(1 ± u) of the paper's integrals (equation (3.10)).
+//! s₊ and s₋ are the signs of l + n and l - n. The ellipses absorb the factors 1/(1 ± u) of the paper's integrals (equation (3.10)).
 
 use crate::body::Top;
 use crate::constants::{BranchPoints, Signs};

@@ -53,7 +53,7 @@ pub struct SegmentPoint {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TickErrors {
     /// Orientation error for a body at rest, rad.
-    pub(super) tick: f64,
+    pub(super) orientation: f64,
     /// Orientation error per rad that the body turns in half a segment.
     pub(super) coordinate: f64,
     /// Error of the angular velocity, divided by x' + |Λ_α' + Λ_β'|.

@@ -21,9 +21,6 @@ pub(super) struct Landen<F> {
     steps_with_large_modulus: usize,
 }
 
-/// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 2560.
-pub(super) const MAX_NODES: u32 = 1 << 13;
-
 /// Transformation to a modulus k.
 #[derive(Clone, Copy)]
 struct LandenStep<F> {
@@ -78,36 +75,7 @@ impl<F: Float> Landen<F> {
         F::from_extended(Extended::TWO_PI).halved().halved() * self.scale.sqrt()
     }
 
-    /// Number of nodes to begin with (1, 3 or 5), and number needed for these bits: 4, 8, 16, ... times the first.
-    pub(super) fn node_counts(&self, bits: f64) -> (u32, u32) {
-        let nodes = bits / self.bits_per_node();
-        let doubled = |division: u32| {
-            let mut count = 4 * division;
-            while f64::from(count) < nodes && count < MAX_NODES {
-                count *= 2;
-            }
-            (division, count)
-        };
-        [3, 5]
-            .map(doubled)
-            .into_iter()
-            .fold(doubled(1), |least, next| if next.1 < least.1 { next } else { least })
-    }
-
-    /// Bits of accuracy by each node: -2 log₂ q for the nome q = e^{-πK'/K}, to a few percent.
-    fn bits_per_node(&self) -> f64 {
-        // the modulus after n transformations is nearly 4 q^(2^(n-1)); its exponent is its logarithm to a percent
-        let mut bits = 128.0;
-        let mut share = 2.0;
-        for step in self.steps.iter().take_while(|step| step.scaled_modulus > F::ZERO) {
-            let exponent = 1023 - (step.scaled_modulus.to_f64().to_bits() >> 52) as i32;
-            bits = share * f64::from(2 + exponent);
-            share *= 0.5;
-        }
-        bits
-    }
-
-    /// Squares at u = 2 K φ/π, from sin φ and cos φ, with sn² = X/W and cn² = Y/W.
+    /// Squares sn² = x/(x + y) and cn² = y/(x + y) at the argument 2 K φ/π, from sin φ and cos φ.
     pub(super) fn fractions_at_angle(&self, [sine, cosine]: [F; 2]) -> JacobiFractions<F> {
         // X without its constant factors (1 + k)²
         let mut x = sine.squared();
@@ -122,7 +90,7 @@ impl<F: Float> Landen<F> {
             }
             let kx = scaled_modulus * x;
             sum = w + kx;
-            // W - k X = Y + (1 - k) (W - Y), whose rounding error is smaller where k is near 1
+            // the same number, whose rounding error is smaller where k is near 1
             difference =
                 if number < self.steps_with_large_modulus { y + complement * (w - y) } else { w - kx };
             y = y * (difference + complement * kx);
@@ -130,25 +98,5 @@ impl<F: Float> Landen<F> {
             w = sum.squared();
         }
         JacobiFractions { sn_squared: self.scale * x, cn_squared: y, dn: difference, dn_denominator: sum }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scalar::Ring;
-
-    /// K'/K is 1 for m = 1/2, so that the error decreases by 2π/ln 2 bits a node; K grows with the logarithm of m₁.
-    #[test]
-    fn the_number_of_nodes_is_known_beforehand() {
-        let [half, small, least] = [0.5, 1e-15, 1e-300].map(|m1| {
-            let m1 = Extended::from(m1);
-            let mut landen = Landen::EMPTY;
-            landen.fill([Extended::ONE - m1, m1], &mut || {});
-            landen
-        });
-        let (bits, expected) = (half.bits_per_node(), 2.0 * core::f64::consts::PI / core::f64::consts::LN_2);
-        assert!((bits / expected - 1.0).abs() < 0.02, "{bits}");
-        assert_eq!([half, small, least].map(|landen| landen.node_counts(105.0).1), [12, 160, 2560]);
     }
 }

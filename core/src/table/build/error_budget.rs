@@ -11,8 +11,8 @@ const TERMS_FRACTION: f32 = 1.0 / 256.0;
 /// Part of a segment's share that a segment of two cells may use: its derivative, and with it the energy, is less accurate.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
-/// Factor of the limit below which a term ends the series of a rate: factor · half length of the span · allowed error of dropped terms. The integral
-/// of such a term over the span is some hundred times smaller than the limit.
+/// Limit of a term that ends the series of a rate, over half the length of the span and the allowed error of dropped terms. Its integral over the span is
+/// some hundred times smaller than the limit.
 const LAST_TERM_FACTOR: f64 = 512.0;
 
 /// Allowed errors of the parts of a table.
@@ -22,21 +22,21 @@ pub(super) struct ErrorBudget {
     /// Truncation error of a segment of at most one cell, rad.
     segment_error: f32,
     /// Error by the dropped terms of a and b, rad.
-    dropped_terms_error: f64,
-    /// This error in units of 2^-62.
-    pub(super) dropped_terms: i64,
+    dropped_rad: f64,
+    /// Error by the dropped terms of a and b, in units of 2^-62.
+    pub(super) dropped_q62: i64,
 }
 
 impl ErrorBudget {
     /// Budget for an allowed truncation error, rad. Series keep the scalar's accuracy even if more is allowed.
     pub(super) fn new<R: TableScalar>(allowed: f64) -> Self {
-        let dropped_terms_error = f64::from(TERMS_FRACTION) * allowed.min(R::TRUNCATION);
+        let dropped_rad = f64::from(TERMS_FRACTION) * allowed.min(R::TRUNCATION);
         Self {
             path_error: PATH_FRACTION * allowed,
             // finite, so that the error of an overflow, which is infinite, is refused
             segment_error: (((1.0 - PATH_FRACTION) * allowed) as f32).min(f32::MAX),
-            dropped_terms_error,
-            dropped_terms: (dropped_terms_error / TABLE_UNIT) as i64,
+            dropped_rad,
+            dropped_q62: (dropped_rad / TABLE_UNIT) as i64,
         }
     }
 
@@ -47,15 +47,15 @@ impl ErrorBudget {
 
     /// Whether the estimated sum of the terms after the sixteenth is small enough.
     ///
-    /// * `remainder`: the sum, in units of 2^-62
-    pub(super) fn is_negligible_remainder(&self, remainder: f32) -> bool {
-        TABLE_UNIT as f32 * remainder <= TERMS_FRACTION * self.segment_error
+    /// * `tail`: the sum, in units of 2^-62
+    pub(super) fn is_negligible_tail(&self, tail: f32) -> bool {
+        TABLE_UNIT as f32 * tail <= TERMS_FRACTION * self.segment_error
     }
 
     /// Magnitude below which a term of a rate at x = 1 ends its series, rad.
     ///
     /// * `half_length`: half of the span, in half periods
     pub(super) fn negligible_term(&self, half_length: f64) -> f64 {
-        LAST_TERM_FACTOR * half_length * self.dropped_terms_error
+        LAST_TERM_FACTOR * half_length * self.dropped_rad
     }
 }

@@ -143,8 +143,8 @@ impl HalfPeriod {
             let start = path.begin_cell(position, depth);
             let (cell, bounds) = loop {
                 let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
-                let remainder = (SHORTEST_SEGMENTS - cell.end()).div_ceil(SHORTEST_SEGMENTS >> MIN_DEPTH);
-                let count = self.segment_count + cell.part_count(depth) + remainder;
+                let least_after = (SHORTEST_SEGMENTS - cell.end()).div_ceil(SHORTEST_SEGMENTS >> MIN_DEPTH);
+                let count = self.segment_count + cell.part_count(depth) + least_after;
                 if depth > Cell::MAX_DEPTH || count > capacity {
                     return Err(TooManySegments { segments: capacity as u32 });
                 }

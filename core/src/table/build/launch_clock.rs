@@ -76,13 +76,13 @@ impl<R: TableScalar> Table<R> {
         let quarter_turn = Phase::QUARTER * i64::from(clock.tip_start_quarter_turns);
         // whole turns, or half turns of a curve through the centre, such that φ begins in (-1/2, 1/2] turn
         let mean = alpha + beta + if is_falling(nutation) { -quarter_turn } else { quarter_turn };
-        let off = motion.tip_angle_at_start() - mean - self.tabulated_tip_angle(nutation, pause);
-        let remainder = if clock.tip_sign_changes > 0 {
-            Phase::from_bits((off * 2).principal().to_bits() >> 1)
+        let offset = motion.tip_angle_at_start() - mean - self.tabulated_tip_angle(nutation, pause);
+        let principal = if clock.tip_sign_changes > 0 {
+            Phase::from_bits((offset * 2).principal().to_bits() >> 1)
         } else {
-            off.principal()
+            offset.principal()
         };
         let mean_from_0 = clock.mean_tip(Instant::at_tick(clock.epoch), nutation);
-        self.clock.tip_start = (mean + off - remainder - mean_from_0).words();
+        self.clock.tip_start = (mean + offset - principal - mean_from_0).words();
     }
 }

@@ -34,7 +34,7 @@ impl MeanRates {
         let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
         let half_tau = size_in_turns(motion.half_tau);
-        let launch = size_in_turns(motion.rounding.lambda_rates.into());
+        let launch = size_in_turns(motion.rounding.slow_rate_error.into());
         let error = |rate: Extended| (rate.to_f64().abs() + 2.0 * half_tau) * relative + launch;
         let rates = Phases { nutation: Extended::ZERO, alpha, beta };
         Self { rates, errors: Phases { nutation: 0.0, alpha: error(alpha), beta: error(beta) } }
@@ -60,16 +60,16 @@ fn size_in_turns(angle: Extended) -> f64 {
 
 /// Errors of the rates, turns/s.
 fn errors(motion: &Motion, period: &Period) -> Phases<f64> {
-    let LaunchRounding { relative, lambda_rates } = motion.rounding;
+    let LaunchRounding { relative, slow_rate_error } = motion.rounding;
     let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(period.nodes);
     let arithmetic = operations * period.operation_error + STORED + relative;
     let rule = period.relative_error;
     let frequency = 1.0 / period.time.to_f64();
     let [alpha, beta] = period.psi.map(size_in_turns);
-    let half_tau = 2.0 * size_in_turns(motion.half_tau) * arithmetic + size_in_turns(lambda_rates.into());
-    let error = |own: f64| {
+    let half_tau = 2.0 * size_in_turns(motion.half_tau) * arithmetic + size_in_turns(slow_rate_error.into());
+    let error = |advance_turns: f64| {
         // the rate is (ψ(T) + half a turn)/T ± τ/2; the trapezoid rule affects only the first term
-        let advance = alpha + beta + own + 0.5;
+        let advance = alpha + beta + advance_turns + 0.5;
         advance * (rule + 2.0 * arithmetic) * frequency + half_tau
     };
     Phases { nutation: frequency * (rule + arithmetic), alpha: error(alpha), beta: error(beta) }

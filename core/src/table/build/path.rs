@@ -94,14 +94,14 @@ pub(super) struct Span<'a> {
     polynomials: &'a [Polynomial; 2],
     segment: &'a mut Polynomial,
     /// Greatest error by dropped terms, in units of 2^-62.
-    dropped_terms: i64,
+    dropped_q62: i64,
 }
 
 impl Span<'_> {
     /// Polynomial of a (index 0) or b (1) on a segment of the span.
     pub(super) fn polynomial_on(&mut self, segment: Interval, index: usize) -> Option<&mut Polynomial> {
         let halvings = segment.depth - self.interval.depth;
-        self.segment.restrict(self.polynomials.get(index)?, segment.number(), halvings, self.dropped_terms);
+        self.segment.restrict(self.polynomials.get(index)?, segment.number(), halvings, self.dropped_q62);
         Some(self.segment)
     }
 }
@@ -114,7 +114,7 @@ pub(super) struct Path<'a, F> {
     /// Coefficients of the exponentials in a and in b.
     exponentials: [[f64; 2]; 2],
     /// Sum of the rates of χ and of the residual phases at the faster end of the path, rad per half period.
-    greatest_end_rate: f64,
+    turning_point_rate: f64,
     pub(super) launch: LaunchSearch,
     span: Option<Interval>,
     /// End of the span.
@@ -152,7 +152,7 @@ impl<'a, F: Float> Path<'a, F> {
             scratch,
             budget,
             exponentials: [alpha, beta].map(|ellipse| ellipse.exponentials()),
-            greatest_end_rate: first.larger_or_nan(last),
+            turning_point_rate: first.larger_or_nan(last),
             launch: LaunchSearch::new(motion),
             span: None,
             end: PathPoint::FIRST,
@@ -212,7 +212,7 @@ impl<'a, F: Float> Path<'a, F> {
             residual_rate: expansion.greatest_residual_rate() * (2_u32 << interval.depth) as f32,
             polynomials,
             segment,
-            dropped_terms: self.budget.dropped_terms,
+            dropped_q62: self.budget.dropped_q62,
         })
     }
 
@@ -222,7 +222,7 @@ impl<'a, F: Float> Path<'a, F> {
         let centre = self.step(span, beginning, pause)?;
         self.end = self.step(span, centre, pause)?;
         let PathScratch { expansion, exponential, polynomials, .. } = &mut *self.scratch;
-        let least = self.budget.dropped_terms;
+        let least = self.budget.dropped_q62;
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
             pause();
             *polynomial = Polynomial::ZERO;
@@ -255,7 +255,7 @@ impl<'a, F: Float> Path<'a, F> {
             chi_rate,
             psi_rates: [alpha, beta],
             residual_rates: [residual_alpha, residual_beta],
-            chi_error_factor: (unit * self.greatest_end_rate / chi_rate.abs()).max(1.0),
+            chi_error_factor: (unit * self.turning_point_rate / chi_rate.abs()).max(1.0),
             negligible: self.budget.negligible_term(half_length),
         };
         let expansion = &mut self.scratch.expansion;
@@ -281,7 +281,7 @@ impl<'a, F: Float> Path<'a, F> {
         // at u = e₂, cos χ = 0 and the cosines of the residual phases are 0
         let [alpha, beta] = residual.map(distance);
         let [chi_rate, ..] = self.equations.rates(1.0, 0.0);
-        let delay = ROUNDING_DELAY + error / self.greatest_end_rate + distance(chi) / chi_rate;
+        let delay = ROUNDING_DELAY + error / self.turning_point_rate + distance(chi) / chi_rate;
         [delay, error + alpha.larger_or_nan(beta)]
     }
 }

@@ -189,7 +189,7 @@ impl<R: TableScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
 }
 
 impl<R: TableScalar, S: ?Sized> Table<R, S> {
-    /// Number of segments for a truncation error, rad. It takes the time and the stack of a set-up.
+    /// Number of segments for a truncation error, rad. It takes the time of a set-up, and its stack with the `Workspace` on it.
     ///
     /// # Errors
     /// [`SetUpError`]; the table is too small if 4096 segments are too few.

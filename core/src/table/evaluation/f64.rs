@@ -16,7 +16,7 @@ impl TableScalar for f64 {
     const TERMS: usize = 11;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const ERRORS: TickErrors = TickErrors {
-        tick: 24.0 * <Self as Scalar>::ROUNDING,
+        orientation: 24.0 * <Self as Scalar>::ROUNDING,
         coordinate: 0.0,
         omega: 0.0,
         relative_omega: 11.0 * <Self as Scalar>::ROUNDING,

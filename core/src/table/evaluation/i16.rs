@@ -23,7 +23,7 @@ impl TableScalar for I2F14 {
     const TERMS: usize = 3;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 3];
     const ERRORS: TickErrors = TickErrors {
-        tick: 16.83 * UNIT_Q15 + 2.6e-5,
+        orientation: 16.83 * UNIT_Q15 + 2.6e-5,
         coordinate: 0.5 * UNIT_Q15 + COORDINATE_ERROR,
         omega: 4.4 * UNIT_Q15,
         ..ERRORS_Q30

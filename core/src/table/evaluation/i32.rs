@@ -19,7 +19,7 @@ const UNIT_Q30: f64 = 1.0 / (1_u64 << 30) as f64;
 pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
 /// Errors with sines to 31 bits.
 pub(super) const ERRORS_Q30: TickErrors = TickErrors {
-    tick: (15.2 + 2.83 * 1.23) * UNIT_Q30,
+    orientation: (15.2 + 2.83 * 1.23) * UNIT_Q30,
     coordinate: COORDINATE_ERROR,
     omega: 44.0 * UNIT_Q30,
     relative_omega: 3.7 * <f32 as Scalar>::ROUNDING,
@@ -37,7 +37,7 @@ impl TableScalar for f32 {
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
     /// Errors with sines to 26 bits and results in `f32`.
     const ERRORS: TickErrors =
-        TickErrors { tick: (15.2 + 2.83 * 12.5) * UNIT_Q30 + f32::EPSILON as f64, ..ERRORS_Q30 };
+        TickErrors { orientation: (15.2 + 2.83 * 12.5) * UNIT_Q30 + f32::EPSILON as f64, ..ERRORS_Q30 };
 
     #[inline]
     fn from_number(number: Q30) -> Self {

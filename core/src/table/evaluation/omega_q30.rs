@@ -38,9 +38,9 @@ pub(super) fn omega_body(
         high_product(re, sine).wrapping_add(high_product(im, cosine)) << 2,
         high_product(im, sine).wrapping_sub(high_product(re, cosine)) << 2,
     ];
-    let own = exponent + 3 - spare as i32;
-    let exponent = own.max(axial.exponent + 1);
-    let [x1, x2] = transverse.map(|part| part >> (exponent - own).min(31));
+    let transverse_exponent = exponent + 3 - spare as i32;
+    let exponent = transverse_exponent.max(axial.exponent + 1);
+    let [x1, x2] = transverse.map(|part| part >> (exponent - transverse_exponent).min(31));
     let omega = [x1, x2, axial.digits >> (exponent - axial.exponent).min(31)];
     (omega.map(Q30), exponent - 127)
 }

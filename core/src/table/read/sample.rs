@@ -122,7 +122,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn tip_velocity(&self) -> Complex<R::Quantity> {
         let [x, y, _] = self.axis_rate();
-        // c = -s (r₁ + i r₂), and the scale of the tip is 2 s
+        // c = 2 s αβ = -s (r₁ + i r₂)
         Complex::new(x, y).scaled(-self.table.clock.twice_tip_scale.halved())
     }
 

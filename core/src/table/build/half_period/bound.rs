@@ -25,7 +25,7 @@ impl HalfPeriod {
         let bounds = &self.bounds;
         let angular = f64::from(bounds.angular_speed);
         let orientation = ErrorBound {
-            constant: self.error + errors.tick + errors.coordinate * bounds.half_segment_change(),
+            constant: self.error + errors.orientation + errors.coordinate * bounds.half_segment_change(),
             per_tick: 2.0 * (angular * nutation + TURN * alpha.larger_or_nan(beta)),
         };
 
@@ -117,7 +117,7 @@ mod tests {
         let coordinate = f32::ERRORS.coordinate * half_period.bounds.half_segment_change();
         let page = include_str!("../../../../docs/error_bound.md");
         for number in
-            [segment, steps, f32::ERRORS.tick, coordinate].into_iter().chain(orientation).chain(rates)
+            [segment, steps, f32::ERRORS.orientation, coordinate].into_iter().chain(orientation).chain(rates)
         {
             let cell = format!("| {number:.2e} |");
             assert!(page.contains(&cell), "{cell}");

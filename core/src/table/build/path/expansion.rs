@@ -95,7 +95,7 @@ pub(super) struct ExpansionPoint {
     pub(super) chi_rate: f64,
     pub(super) psi_rates: [f64; 2],
     pub(super) residual_rates: [f64; 2],
-    /// Ratio in which an error of χ turns the body more than an equal error of ρ.
+    /// Rotation of the body by an error of χ, over that by an equal error of ρ.
     pub(super) chi_error_factor: f64,
     /// Magnitude below which a term at x = 1 is negligible, rad.
     pub(super) negligible: f64,

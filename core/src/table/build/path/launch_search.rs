@@ -10,7 +10,7 @@ use crate::table::data::Phases;
 /// Search for the phases of a launch, which ends once the path has reached its χ.
 #[derive(Debug)]
 pub(crate) struct LaunchSearch {
-    /// Half phase χ, folded into [0, 1/4] turn; `None` once the path has reached it.
+    /// Half phase χ of the launch, mirrored to the rising half; `None` once the path has reached it.
     chi: Option<Phase>,
     is_falling: bool,
     /// Nutation phase and mean phases of the launch, after the search.
@@ -20,10 +20,13 @@ pub(crate) struct LaunchSearch {
 impl LaunchSearch {
     /// Search for the launch of a motion. The phases of a steady one are final.
     pub(crate) fn new(motion: &Motion) -> Self {
-        let (half_turns, remainder) = motion.half_phase.unwrap_or_default().split_half_turns();
-        let is_falling = remainder > Phase::QUARTER;
-        let (half_turns, chi) =
-            if is_falling { (half_turns + 1, Phase::HALF - remainder) } else { (half_turns, remainder) };
+        let (half_turns, in_half_turn) = motion.half_phase.unwrap_or_default().split_half_turns();
+        let is_falling = in_half_turn > Phase::QUARTER;
+        let (half_turns, chi) = if is_falling {
+            (half_turns + 1, Phase::HALF - in_half_turn)
+        } else {
+            (half_turns, in_half_turn)
+        };
         let [alpha, beta] = motion.slow_phases.map(|phase| phase + Phase::HALF * half_turns);
         Self { chi: Some(chi), is_falling, found: Phases { nutation: Phase::ZERO, alpha, beta } }
     }

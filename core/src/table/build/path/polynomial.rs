@@ -52,7 +52,7 @@ impl RealPolynomial {
     }
 
     /// Estimate of the terms beyond the sixteenth from the last four, as a geometric series; infinite where they do not decrease.
-    fn remainder(&self) -> f32 {
+    fn tail(&self) -> f32 {
         /// Magnitude of rounding errors, 3e-17.
         const NEGLIGIBLE: i64 = 138;
         let [.., c12, c13, c14, c15] = self.coefficients.map(i64::abs);
@@ -75,11 +75,11 @@ pub(crate) struct Polynomial {
     pub(crate) parts: [RealPolynomial; 2],
     terms: usize,
     /// Estimate of the terms that are not computed, in units of 2^-62.
-    remainder: f32,
+    tail: f32,
 }
 
 impl Polynomial {
-    pub(crate) const ZERO: Self = Self { parts: [RealPolynomial::ZERO; 2], terms: 0, remainder: 0.0 };
+    pub(crate) const ZERO: Self = Self { parts: [RealPolynomial::ZERO; 2], terms: 0, tail: 0.0 };
 
     /// Polynomial with the same value everywhere.
     pub(crate) fn constant(value: f64) -> Self {
@@ -94,14 +94,14 @@ impl Polynomial {
     /// * `terms`: number of terms that are computed
     pub(crate) fn drop_negligible_terms(&mut self, terms: usize, budget: &ErrorBudget) -> Option<()> {
         self.terms = terms;
-        let [re, im] = self.parts.each_ref().map(RealPolynomial::remainder);
-        let remainder = 2.0 * re.larger_or_nan(im);
-        let most = budget.dropped_terms;
-        if !budget.is_negligible_remainder(remainder) {
+        let [re, im] = self.parts.each_ref().map(RealPolynomial::tail);
+        let tail = 2.0 * re.larger_or_nan(im);
+        let most = budget.dropped_q62;
+        if !budget.is_negligible_tail(tail) {
             return None;
         }
         self.shorten(0, most);
-        self.remainder = remainder + most as f32;
+        self.tail = tail + most as f32;
         Some(())
     }
 
@@ -135,7 +135,7 @@ impl Polynomial {
         }
     }
 
-    /// Restricts the polynomial `whole` of a span to one of its 2^halvings parts, and drops terms before the last halving.
+    /// Restricts the polynomial `whole` of a span to one of its 2^halvings parts, by halvings with dropped terms between them.
     ///
     /// * `part`: number of the part
     /// * `dropped`: greatest sum of the dropped terms
@@ -152,7 +152,7 @@ impl Polynomial {
     /// Truncation error, in units of 2^-62.
     pub(crate) fn truncation(&self) -> f32 {
         let [re, im] = self.parts.each_ref().map(|part| u64_to_f32(part.dropped.unsigned_abs()));
-        Float::sqrt(re * re + im * im) + self.remainder
+        Float::sqrt(re * re + im * im) + self.tail
     }
 
     /// Square of the bound Σ k |c_k| on the derivative, in units of 2^-62.
@@ -183,7 +183,7 @@ mod tests {
         Polynomial {
             parts: parts.map(|coefficients| RealPolynomial { coefficients, ..RealPolynomial::ZERO }),
             terms: MAX_TERMS,
-            remainder: 0.0,
+            tail: 0.0,
         }
     }
 
@@ -206,11 +206,11 @@ mod tests {
             for (halvings, part) in
                 (0..5).flat_map(|halvings| (0..1 << halvings).map(move |part| (halvings, part)))
             {
-                let mut own = Polynomial::ZERO;
-                own.restrict(&whole, part, halvings, 0);
+                let mut restricted = Polynomial::ZERO;
+                restricted.restrict(&whole, part, halvings, 0);
                 for x in [-1.0, -0.6, -0.3, 0.0, 0.7, 1.0] {
                     let at = (x + (2 * part + 1) as f64) / f64::from(1 << halvings) - 1.0;
-                    let error = distance(derivative(&whole, 0, at), derivative(&own, 0, x));
+                    let error = distance(derivative(&whole, 0, at), derivative(&restricted, 0, x));
                     assert!(error < 2.5e-16, "{ratio} {part}/{halvings} {x}: {error:e}");
                 }
             }

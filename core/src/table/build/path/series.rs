@@ -67,8 +67,8 @@ impl UnitFactor {
         let (_, exponent) = mantissa_and_exponent(factor);
         let least = to.exponent - from.exponent - FACTOR_BITS as i32;
         // 53 bits become 60 at most
-        let own = least.max(exponent - 7);
-        Self { mantissa: Limbs::new(to_units(factor, own)), shift: (own - least).min(62) as u32 }
+        let unit = least.max(exponent - 7);
+        Self { mantissa: Limbs::new(to_units(factor, unit)), shift: (unit - least).min(62) as u32 }
     }
 
     /// Product, rounded to the nearest, or [`OUT_OF_RANGE`].

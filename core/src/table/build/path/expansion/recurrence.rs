@@ -1,8 +1,13 @@
 //! Coefficients of an expansion, one after another.
 //!
-//! The coefficients of sin χ and cos χ up to yᵏ give the k-th one of v, and by v those of η, δ, ξ, μ, κ and σ, in this order. With ξ, the rate of χ is known up to
-//! yᵏ, and it gives coefficient k + 1 of sin χ and cos χ. A product of series is a sum over earlier coefficients. `prepare` chooses the unit of each
-//! series, and computes the constant factors between these units.
+//! For k = 0, 1, 2, ...:
+//!
+//! 1. sin χ and cos χ give coefficient k of v;
+//! 2. v gives that of η and δ, and these give that of ξ, μ, κ and σ;
+//! 3. ξ gives that of the rate of χ, and the rate gives coefficient k + 1 of sin χ and cos χ.
+//!
+//! A product of series is a sum over earlier coefficients. `prepare` chooses the unit of each series, and computes the constant factors between
+//! these units.
 
 use super::{Expansion, ExpansionPoint, MAX_TERMS, NOISE, PowerSeries, RateSeries};
 use crate::integer::to_units;
@@ -103,7 +108,7 @@ impl Expansion {
         let quadratic = c * equations.e2_minus_e1;
 
         let Self { chi, residual: [alpha, beta], sine, cosine, v, delta, mu, .. } = self;
-        let magnitude = |own: f64, other: f64| own.abs().larger_or_nan((chi_rate * other).abs());
+        let magnitude = |value: f64, other: f64| value.abs().larger_or_nan((chi_rate * other).abs());
         sine.set_exponent(magnitude(origin.sine, origin.cosine));
         cosine.set_exponent(magnitude(origin.cosine, origin.sine));
         v.exponent = 2 * cosine.exponent + BITS;
