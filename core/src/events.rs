@@ -5,6 +5,8 @@
 
 mod event;
 
+mod rising_half;
+
 mod level;
 
 mod recurring_instants;

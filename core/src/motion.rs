@@ -70,7 +70,7 @@ impl Motion {
         self.integrals.map(Float::to_f64)
     }
 
-    /// Branch points e₁, e₂, e₃ and their differences.
+    /// Branch points e₁, e₂, e₃ and their differences, each with the relative error of one `f64` rounding.
     pub fn branch_points(&self) -> BranchPoints {
         self.e.map(Float::to_f64)
     }

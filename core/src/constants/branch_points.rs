@@ -2,7 +2,7 @@
 //!
 //! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). The differences are computed without cancellation.
 
-mod from_state;
+mod reduced_point;
 
 mod integrals;
 

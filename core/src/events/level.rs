@@ -2,11 +2,12 @@
 
 use crate::body::{ParameterError, Support, Top, check, check_finite, check_range, half_tilt_sine_cosine};
 use crate::complex::Complex;
+use crate::events::rising_half::{LAST_RISING, at_phase, bisect};
 use crate::motion::{Motion, normal_force};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real, Ring};
 use crate::su2::Orientation;
-use crate::table::{Instant, Phases, Sample, Table, TableScalar};
+use crate::table::{Table, TableScalar};
 
 /// Value of u, the cosine of the tilt, stored as 1 - u and 1 + u.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,23 +95,4 @@ impl Level {
         };
         square(orientation.beta) * self.one_plus_u <= square(orientation.alpha) * self.one_minus_u
     }
-}
-
-/// Leading 64 bits of the last nutation phase while u rises.
-pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
-
-/// Sample at the 64 leading bits of a nutation phase, with mean phases 0.
-pub(super) fn at_phase<R: TableScalar>(table: &Table<R>, nutation: u64) -> Sample<'_, R> {
-    Sample { table, phases: Phases { nutation, alpha: 0, beta: 0 }, instant: Instant::ZERO }
-}
-
-/// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.
-pub(super) fn bisect(holds: impl Fn(u64) -> bool) -> Phase {
-    let mut low = 0;
-    let mut high = LAST_RISING;
-    while high - low > 1 {
-        let middle = low + (high - low) / 2;
-        if holds(middle) { high = middle } else { low = middle }
-    }
-    Phase::from_leading_bits(high)
 }

@@ -4,8 +4,8 @@
 //! Whole periods that do not reach the angle are skipped.
 
 use crate::events::event::Event;
-use crate::events::level::{LAST_RISING, at_phase, bisect};
 use crate::events::recurring_instants::RecurringInstants;
+use crate::events::rising_half::{LAST_RISING, at_phase, bisect};
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float, Ring, Scalar};
 use crate::table::{Table, TableScalar};

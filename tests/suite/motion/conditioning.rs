@@ -5,7 +5,7 @@
 //! loses up to all digits of a small difference (all digits of e₂ - e₁ = 1e-8 upright, all but three of e₃ - e₂ =
 //! 1e-6).
 
-use toytop::{BranchPoints, State};
+use toytop::{Motion, State};
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
 
 #[test]
@@ -15,7 +15,7 @@ fn every_small_difference_keeps_its_digits() {
     let cases = entries(&json["cases"]);
     for case in cases {
         let state = State::new(orientation(case), triple(&case["omega"])).unwrap();
-        let e = BranchPoints::from_state(&top, &state).unwrap();
+        let e = Motion::launch(&top, &state).unwrap().branch_points();
         for (key, value) in [
             ("one_plus_e1", e.one_plus_e1),
             ("one_minus_e2", e.one_minus_e2),

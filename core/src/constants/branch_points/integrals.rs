@@ -6,7 +6,7 @@ use crate::constants::{FirstIntegrals, ReducedPoint, Signs};
 use crate::scalar::{Extended, Float, Ring};
 
 impl BranchPoints {
-    /// Branch points of given l, n and h. Near a degenerate case these are ill-conditioned: see [`BranchPoints::from_state`].
+    /// Branch points of given l, n and h. Near a degenerate case these are ill-conditioned: take [`Motion::branch_points`](crate::Motion::branch_points) of a state.
     ///
     /// # Errors
     /// `h`: too low for any motion with these l and n; `l`, `n`, `h`: not finite, or e₃ above 1e14.

@@ -88,8 +88,9 @@ impl HalfPeriod {
         pause();
         match period {
             Some(Period { time, .. }) => {
-                let mut path = Path::new(scratch, budget, motion, time.halved(), self.mean_rates.rates);
-                self.tabulate_path::<R>(&mut path, segments, capacity, pause)
+                let mut path =
+                    Path::new(scratch, budget, motion, time.halved(), self.mean_rates.rates, pause);
+                self.tabulate_path::<R>(&mut path, segments, capacity)
             }
             None => {
                 self.launch_phases = LaunchSearch::new(motion).found;
@@ -106,9 +107,8 @@ impl HalfPeriod {
         path: &mut Path<'_, R::PathNumber>,
         segments: &mut [R::Segment],
         capacity: usize,
-        pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
-        self.divide::<R>(path, segments, capacity, pause)?;
+        self.divide::<R>(path, segments, capacity)?;
         self.launch_phases = path.launch.found;
         let [delay, residual] = path.errors();
         let bounds = &self.bounds;
@@ -133,7 +133,6 @@ impl HalfPeriod {
         path: &mut Path<'_, R::PathNumber>,
         segments: &mut [R::Segment],
         capacity: usize,
-        pause: &mut dyn FnMut(),
     ) -> Result<(), TooManySegments> {
         let mut position = 0;
         let mut depth = MIN_DEPTH;
@@ -148,7 +147,7 @@ impl HalfPeriod {
                 if depth > Cell::MAX_DEPTH || count > capacity {
                     return Err(TooManySegments { segments: capacity as u32 });
                 }
-                if let Some(bounds) = self.fill_cell::<R>(cell, depth, path, segments, pause) {
+                if let Some(bounds) = self.fill_cell::<R>(cell, depth, path, segments) {
                     break (cell, bounds);
                 }
                 path.rewind(position, start);
@@ -177,14 +176,13 @@ impl HalfPeriod {
         depth: u32,
         path: &mut Path<'_, R::PathNumber>,
         segments: &mut [R::Segment],
-        pause: &mut dyn FnMut(),
     ) -> Option<SegmentBounds> {
         let mut bounds = SegmentBounds::ZERO;
         for (segment, number) in cell.parts(depth).zip(self.segment_count..) {
-            let span = path.span_at(segment.begin, depth, pause)?;
+            let span = path.span_at(segment.begin, depth)?;
             let last = segments.len().checked_sub(1)?;
             let stored = segments.get_mut(number.min(last))?;
-            bounds.include(&store_segment::<R>(span, segment, stored, pause));
+            bounds.include(&store_segment::<R>(span, segment, stored));
             let is_accurate = bounds.error <= path.budget.segment_error_at(depth);
             if !is_accurate {
                 return None;

@@ -95,11 +95,13 @@ pub(super) struct Span<'a> {
     segment: &'a mut Polynomial,
     /// Greatest error by dropped terms, in units of 2^-62.
     dropped_q62: i64,
+    pause: &'a mut dyn FnMut(),
 }
 
 impl Span<'_> {
     /// Polynomial of a (index 0) or b (1) on a segment of the span.
     pub(super) fn polynomial_on(&mut self, segment: Interval, index: usize) -> Option<&mut Polynomial> {
+        (self.pause)();
         let halvings = segment.depth - self.interval.depth;
         self.segment.restrict(self.polynomials.get(index)?, segment.number(), halvings, self.dropped_q62);
         Some(self.segment)
@@ -121,6 +123,7 @@ pub(super) struct Path<'a, F> {
     end: PathPoint,
     /// Least depth of the next span.
     next_span_depth: u32,
+    pause: &'a mut dyn FnMut(),
 }
 
 impl<'a, F: Float> Path<'a, F> {
@@ -134,6 +137,7 @@ impl<'a, F: Float> Path<'a, F> {
         motion: &Motion,
         duration: Extended,
         rates: Phases<Extended>,
+        pause: &'a mut dyn FnMut(),
     ) -> Self {
         let Phases { alpha, beta, .. } = rates.map(|rate| Extended::TWO_PI * rate);
         let equations = PathEquations {
@@ -157,6 +161,7 @@ impl<'a, F: Float> Path<'a, F> {
             span: None,
             end: PathPoint::FIRST,
             next_span_depth: MIN_SPAN_DEPTH,
+            pause,
         }
     }
 
@@ -187,18 +192,13 @@ impl<'a, F: Float> Path<'a, F> {
     }
 
     /// Span at a position: the present one, or the next one, which begins there. `None` if no depth up to `max_depth` is accurate.
-    pub(super) fn span_at(
-        &mut self,
-        position: usize,
-        max_depth: u32,
-        pause: &mut dyn FnMut(),
-    ) -> Option<Span<'_>> {
+    pub(super) fn span_at(&mut self, position: usize, max_depth: u32) -> Option<Span<'_>> {
         if !self.is_in_span(position) {
             let point = self.end;
             let depth = self.next_span_depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
             self.span = None;
             for depth in depth..=max_depth {
-                self.span = self.expand(Interval { begin: position, depth }, point, pause);
+                self.span = self.expand(Interval { begin: position, depth }, point);
                 if self.span.is_some() {
                     break;
                 }
@@ -213,32 +213,33 @@ impl<'a, F: Float> Path<'a, F> {
             polynomials,
             segment,
             dropped_q62: self.budget.dropped_q62,
+            pause: self.pause,
         })
     }
 
     /// Expands the motion around the centre of a span, computes the polynomials of a and b, and searches for the launch; `None` if they are not
     /// accurate.
-    fn expand(&mut self, span: Interval, beginning: PathPoint, pause: &mut dyn FnMut()) -> Option<Interval> {
-        let centre = self.step(span, beginning, pause)?;
-        self.end = self.step(span, centre, pause)?;
+    fn expand(&mut self, span: Interval, beginning: PathPoint) -> Option<Interval> {
+        let centre = self.step(span, beginning)?;
+        self.end = self.step(span, centre)?;
         let PathScratch { expansion, exponential, polynomials, .. } = &mut *self.scratch;
         let least = self.budget.dropped_q62;
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
-            pause();
+            (self.pause)();
             *polynomial = Polynomial::ZERO;
             let sums = polynomial.parts.each_mut().map(|part| &mut part.coefficients);
             let terms = expansion.add_exponentials(index, exponentials, least, exponential, sums)?;
-            pause();
+            (self.pause)();
             polynomial.drop_negligible_terms(terms, self.budget)?;
         }
-        pause();
+        (self.pause)();
         self.launch.search(expansion, self.end.phases.chi, span);
         Some(span)
     }
 
     /// Expands the motion around a point. Returns the point half a span later; `None` if the truncation error is too large.
-    fn step(&mut self, span: Interval, from: PathPoint, pause: &mut dyn FnMut()) -> Option<PathPoint> {
-        pause();
+    fn step(&mut self, span: Interval, from: PathPoint) -> Option<PathPoint> {
+        (self.pause)();
         let half_length = span.half_length();
         // y is in units of two spans
         let unit = 4.0 * half_length;
@@ -259,8 +260,8 @@ impl<'a, F: Float> Path<'a, F> {
             negligible: self.budget.negligible_term(half_length),
         };
         let expansion = &mut self.scratch.expansion;
-        expansion.expand(&equations.map(F::to_f64), &origin, pause);
-        pause();
+        expansion.expand(&equations.map(F::to_f64), &origin, self.pause);
+        (self.pause)();
         let truncation = expansion.truncation_error();
         (truncation <= allowed).then(|| {
             let error = from.error + truncation + expansion.rounding_error();

@@ -163,6 +163,7 @@ impl<R: TableScalar> Table<R> {
         settings: &TableSettings,
         pause: &mut dyn FnMut(),
     ) {
+        pause();
         let HalfPeriod { cells, segment_count, mean_rates, launch_phases, .. } = half_period;
         self.cells = *cells;
         self.segments.get_mut(*segment_count..).unwrap_or_default().fill(R::ZERO_SEGMENT);

@@ -91,6 +91,22 @@ impl<W: Copy> Clock<W> {
         whole_turns.zip_map(self.steps(), |whole_turns, fraction| Step { whole_turns, fraction })
     }
 
+    /// Phases at tick n.
+    #[inline(always)]
+    pub(crate) fn phases_at_tick(&self, n: i64) -> Phases<WrappedPhase> {
+        let since_first = n.wrapping_sub(i64::MIN) as u64;
+        let after =
+            |first: u64, step: [u32; 3]| WrappedPhase::new(step).times(since_first).plus_leading_bits(first);
+        let [nutation, alpha, beta] = &self.first_phases;
+        // by reference: an array of all steps would take nine registers at once
+        let [nutation_step, alpha_step, beta_step] = &self.step;
+        Phases {
+            nutation: after(*nutation, *nutation_step),
+            alpha: after(*alpha, *alpha_step),
+            beta: after(*beta, *beta_step),
+        }
+    }
+
     /// Number of ticks in a unit of time.
     pub(crate) fn tick_rate(&self) -> Extended {
         Extended::from_f64_pair(self.ticks_per_time)

@@ -1,7 +1,7 @@
 //! Samples of a table at a tick and at a time.
 
 use crate::phase::WrappedPhase;
-use crate::table::data::{Clock, Instant, Phases, Table};
+use crate::table::data::{Instant, Phases, Table};
 use crate::table::evaluation::TableScalar;
 use crate::table::read::sample::Sample;
 
@@ -16,7 +16,7 @@ impl<R: TableScalar> Table<R> {
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite. With an epoch, t = 0 is not the launch.
     ///
-    /// * Resolution: 2^-96 ticks, or 2^-128 of the number of ticks where this is more.
+    /// * Resolution: 2^-96 ticks.
     /// * It has the bits of [`Table::at_tick`] where t times the tick rate is exactly a whole number, and the rate a multiple of 1/2.
     #[inline(always)]
     #[must_use]
@@ -40,23 +40,5 @@ impl<R: TableScalar> Table<R> {
     pub fn end_time(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
         (1_u64 << 63) as f64 / ticks_per_time
-    }
-}
-
-impl<W: Copy> Clock<W> {
-    /// Phases at tick n.
-    #[inline(always)]
-    pub(crate) fn phases_at_tick(&self, n: i64) -> Phases<WrappedPhase> {
-        let since_first = n.wrapping_sub(i64::MIN) as u64;
-        let after =
-            |first: u64, step: [u32; 3]| WrappedPhase::new(step).times(since_first).plus_leading_bits(first);
-        let [nutation, alpha, beta] = &self.first_phases;
-        // by reference: an array of all steps would take nine registers at once
-        let [nutation_step, alpha_step, beta_step] = &self.step;
-        Phases {
-            nutation: after(*nutation, *nutation_step),
-            alpha: after(*alpha, *alpha_step),
-            beta: after(*beta, *beta_step),
-        }
     }
 }

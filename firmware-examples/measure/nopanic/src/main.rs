@@ -69,7 +69,6 @@ fn set_up() -> Result<(), ParameterError> {
             let state = state.with_impulse(&top, &impulse)?;
             black_box((state.orientation(), state.omega()));
             black_box(FirstIntegrals::from_state(&top, &state).signs());
-            black_box(BranchPoints::from_state(&top, &state)?);
             spin(&Motion::launch(&top, &state)?);
             sensitivity(&Motion::launch(&top, &state)?);
         }

@@ -65,7 +65,6 @@ pub(super) fn store_segment<R: TableScalar>(
     mut span: Span<'_>,
     segment: Interval,
     stored: &mut R::Segment,
-    pause: &mut dyn FnMut(),
 ) -> SegmentBounds {
     let mut truncation_squared = 0.0;
     let mut slope_squared = 0.0;
@@ -75,7 +74,6 @@ pub(super) fn store_segment<R: TableScalar>(
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
         store_polynomial::<R>(stored, index, polynomial);
-        pause();
     }
     let is_safe = R::Coefficient::are_safe((*stored).as_ref());
     // x grows by 2 over a segment

@@ -10,21 +10,10 @@
 //! ```
 
 use super::{BranchPoints, MAX_E3};
-use crate::body::{ParameterError, State, Top, check};
+use crate::body::{ParameterError, Top, check};
 use crate::constants::cubic::Cubic;
 use crate::constants::{FirstIntegrals, ReducedPoint};
 use crate::scalar::{Extended, Float, Ring};
-
-impl BranchPoints {
-    /// Branch points of a state. Every field has the relative error of one `f64` rounding.
-    ///
-    /// # Errors
-    /// `omega`: so large that e₃ would exceed 1e14.
-    pub fn from_state(top: &Top, state: &State) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::from_state_with_point(top, state);
-        Ok(BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {})?.map(Float::to_f64))
-    }
-}
 
 impl BranchPoints<Extended> {
     pub(crate) fn from_reduced_point(

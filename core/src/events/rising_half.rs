@@ -1,0 +1,23 @@
+//! Search on the half of a nutation period in which u rises.
+
+use crate::phase::Phase;
+use crate::table::{Instant, Phases, Sample, Table, TableScalar};
+
+/// Leading 64 bits of the last nutation phase while u rises.
+pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
+
+/// Sample at the 64 leading bits of a nutation phase, with mean phases 0.
+pub(super) fn at_phase<R: TableScalar>(table: &Table<R>, nutation: u64) -> Sample<'_, R> {
+    Sample { table, phases: Phases { nutation, alpha: 0, beta: 0 }, instant: Instant::ZERO }
+}
+
+/// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.
+pub(super) fn bisect(holds: impl Fn(u64) -> bool) -> Phase {
+    let mut low = 0;
+    let mut high = LAST_RISING;
+    while high - low > 1 {
+        let middle = low + (high - low) / 2;
+        if holds(middle) { high = middle } else { low = middle }
+    }
+    Phase::from_leading_bits(high)
+}
