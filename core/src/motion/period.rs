@@ -40,15 +40,22 @@ pub(crate) struct Period {
     pub(crate) psi: [Extended; 2],
     /// Estimated error of the trapezoid rule: the larger of that relative to T and that relative to |ψ_α| + |ψ_β|.
     pub(crate) relative_error: f64,
-    /// Relative error of one operation of the quadrature.
-    pub(crate) operation_error: f64,
+    /// Relative error by roundings.
+    pub(crate) rounding_error: f64,
     pub(crate) nodes: u32,
 }
 
 impl Period {
     pub(super) fn torque_free(time: Extended) -> Self {
-        let operation_error = Extended::OPERATION_ERROR;
-        Self { time, psi: [Extended::ZERO; 2], relative_error: 0.0, operation_error, nodes: 1 }
+        let rounding_error = Self::rounding_error::<Extended>(0);
+        Self { time, psi: [Extended::ZERO; 2], relative_error: 0.0, rounding_error, nodes: 0 }
+    }
+
+    /// Relative error by the roundings of a rate, and of a quadrature with this many nodes.
+    pub(crate) fn rounding_error<F: Float>(nodes: u32) -> f64 {
+        const OPERATIONS: f64 = 64.0;
+        const OPERATIONS_PER_NODE: f64 = 2.0;
+        (OPERATIONS + OPERATIONS_PER_NODE * f64::from(nodes)) * F::OPERATION_ERROR
     }
 
     /// Advances of α and β in turns, whole turns included.

@@ -7,7 +7,7 @@ use crate::motion::phase_equations::PhaseEquations;
 use crate::scalar::{Float, Ring};
 
 impl Period {
-    /// Period of a motion that nutates. `pause` is called at each node.
+    /// Period of a motion that nutates, with an error of the rule below that of its roundings. `pause` is called at each node.
     #[inline(never)]
     pub(crate) fn integrated<F: Float>(equations: &PhaseEquations<F>, pause: &mut dyn FnMut()) -> Self {
         let elliptic = EllipticEquations::new(equations);
@@ -17,7 +17,7 @@ impl Period {
         let mut rule = TrapezoidRule::new(&elliptic, &landen, pause);
         loop {
             let error = rule.double_nodes();
-            if rule.nodes >= MAX_NODES || error <= TrapezoidRule::<F>::SETTLED {
+            if rule.nodes >= MAX_NODES || error <= Period::rounding_error::<F>(rule.nodes) {
                 return rule.period(error);
             }
         }
@@ -42,9 +42,6 @@ struct TrapezoidRule<'a, F> {
 }
 
 impl<'a, F: Float> TrapezoidRule<'a, F> {
-    /// Estimated relative error that ends the doublings.
-    const SETTLED: f64 = 256.0 * F::OPERATION_ERROR;
-
     /// Rule with both ends as its only nodes.
     #[inline(never)]
     fn new(
@@ -128,7 +125,7 @@ impl<'a, F: Float> TrapezoidRule<'a, F> {
             time,
             psi: [alpha, beta],
             relative_error,
-            operation_error: F::OPERATION_ERROR,
+            rounding_error: Period::rounding_error::<F>(self.nodes),
             nodes: self.nodes,
         }
     }
@@ -238,7 +235,7 @@ mod tests {
             let size = exact.psi[0].abs() + exact.psi[1].abs();
             let errors = [(rounded.time - exact.time) / exact.time, (sum(&rounded) - sum(&exact)) / size];
             for error in errors.map(|error| error.to_f64().abs()) {
-                let allowed = rounded.relative_error + 64.0 * rounded.operation_error;
+                let allowed = rounded.relative_error + 64.0 * Wide::<1>::OPERATION_ERROR;
                 assert!(error <= allowed, "{k}: {error:e} {allowed:e}");
                 worst = worst.max(error);
             }

@@ -5,12 +5,8 @@ use crate::motion::{LaunchRounding, Motion};
 use crate::scalar::{Extended, Float, Ring};
 use crate::table::data::Phases;
 
-/// Number of roundings of a rate and its increment, without the quadrature.
-const OPERATIONS: f64 = 64.0;
-/// Relative error of an increment that is stored as the sum of two `f64`.
+/// Relative error of the number of ticks in a unit of time, stored as the sum of two `f64`.
 const STORED: f64 = 1.0 / (1_u128 << 106) as f64;
-/// Number of roundings per node of the quadrature.
-const OPERATIONS_PER_NODE: f64 = 2.0;
 
 /// Rates of the nutation phase and of the mean phases, turns/s.
 #[derive(Clone, Copy, Debug)]
@@ -31,7 +27,7 @@ impl MeanRates {
 
     fn steady(motion: &Motion) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::radians_to_turns);
-        let relative = OPERATIONS * Extended::OPERATION_ERROR + STORED + motion.rounding.relative;
+        let relative = Period::rounding_error::<Extended>(0) + STORED + motion.rounding.relative;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
         let half_tau = size_in_turns(motion.half_tau);
         let launch = size_in_turns(motion.rounding.slow_rate_error.into());
@@ -61,8 +57,7 @@ fn size_in_turns(angle: Extended) -> f64 {
 /// Errors of the rates, turns/s.
 fn errors(motion: &Motion, period: &Period) -> Phases<f64> {
     let LaunchRounding { relative, slow_rate_error } = motion.rounding;
-    let operations = OPERATIONS + OPERATIONS_PER_NODE * f64::from(period.nodes);
-    let arithmetic = operations * period.operation_error + STORED + relative;
+    let arithmetic = period.rounding_error + STORED + relative;
     let rule = period.relative_error;
     let frequency = 1.0 / period.time.to_f64();
     let [alpha, beta] = period.psi.map(size_in_turns);
