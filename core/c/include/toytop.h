@@ -217,7 +217,7 @@ typedef struct toytop_constants {
 
 // Partial derivatives of a motion at one time.
 //
-// In each array they are with respect to: the rotation vector in the fixed frame that turns the orientation of the launch, rad (0 to
+// In each array they are with respect to: the rotation vector in the fixed frame that turns orientation and omega of the launch, rad (0 to
 // 2); omega of the launch in the fixed frame, rad/s (3 to 5); A/C (6); A/(p s), for a fixed tip A/p (7); the height s of the centre of
 // mass (8); gravity (9). Relative to the largest derivative of a column the error is about 1e-10.
 typedef struct toytop_partials {

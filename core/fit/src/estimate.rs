@@ -80,30 +80,26 @@ impl Estimate {
         BodyState::new(self.orientation, self.omega)
     }
 
-    /// Angular velocity in the body frame.
-    pub(crate) fn omega_body(&self) -> Vector<f64> {
-        self.orientation.inverse().adjoint(self.omega)
-    }
-
-    /// Estimate after a change of the unknowns: a rotation vector of the body frame, a change of Ω, and changes of the others.
+    /// Estimate after a change of the unknowns: a rotation vector δ of the fixed frame, a change η of ω in the frame that δ turns, and
+    /// changes of the others.
     pub(crate) fn corrected(&self, change: &Unknowns) -> Self {
         let [d1, d2, d3, w1, w2, w3, others @ ..] = *change;
-        let orientation = self.orientation.compose(&Orientation::exp([d1, d2, d3])).normalised();
+        let turn = Orientation::exp([d1, d2, d3]);
         let mut other = self.other;
         other.iter_mut().zip(others).for_each(|(slot, by)| *slot += by);
         Self {
-            orientation,
-            omega: orientation.adjoint(add_scaled(self.omega_body(), [w1, w2, w3], 1.0)),
+            orientation: turn.compose(&self.orientation).normalised(),
+            omega: turn.adjoint(add_scaled(self.omega, [w1, w2, w3], 1.0)),
             other,
         }
     }
 
     /// Change of the unknowns from another estimate to this one.
     pub(crate) fn change_from(&self, from: &Self) -> Unknowns {
-        let turn = rotation_vector(&from.orientation.inverse().compose(&self.orientation));
-        let rate = add_scaled(self.omega_body(), from.omega_body(), -1.0);
+        let turn = self.orientation.compose(&from.orientation.inverse());
+        let rate = add_scaled(turn.inverse().adjoint(self.omega), from.omega, -1.0);
         let others = self.other.iter().zip(from.other).map(|(x, y)| x - y);
-        let mut change = turn.into_iter().chain(rate).chain(others);
+        let mut change = rotation_vector(&turn).into_iter().chain(rate).chain(others);
         core::array::from_fn(|_| change.next().unwrap_or(0.0))
     }
 }

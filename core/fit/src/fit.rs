@@ -30,7 +30,7 @@ mod fitted;
 use crate::error::{FitError, FitWarning, require};
 use crate::estimate::{Estimate, FreeRatio};
 use crate::model::{Model, Prior, carried};
-use crate::sensitivity::{LAUNCH_COLUMNS, Tangent};
+use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::{Measurement, Sensor};
 use crate::square_root::SquareRoot;
 use crate::vector::{Vector, norm, rotation_vector};
@@ -149,14 +149,13 @@ impl<'a, F: Real> Fit<'a, F> {
             must: "be a motion that reaches the first measurement",
         };
         let (predicted, at) = self.model.predicted(&last.launch, span).ok_or(refused)?;
-        let to_body_axes = Tangent::along_body_axes(&predicted.orientation.inverse());
         let rows = last.covariance.rows().map(|row| {
             let mut row = carried(&at.tangents, &row);
             // the losses may be others now
             self.model
                 .losses()
                 .for_each(|(index, _)| row.iter_mut().skip(index).take(1).for_each(|x| *x = 0.0));
-            carried(&to_body_axes, &row)
+            row
         });
         let mut covariance: SquareRoot<f64> = rows.collect();
         let noise = drift_deviation * norm(predicted.omega) * span;

@@ -143,10 +143,9 @@ impl Model {
         Equations { coefficients, changes, columns: self.motion_count }
     }
 
-    /// Trajectory of an estimate for a pass, whose columns are changes along the body axes.
+    /// Trajectory of an estimate for a pass.
     pub(crate) fn trajectory<F: Real>(&self, estimate: &Estimate) -> Trajectory<F> {
-        let tangents = Tangent::along_body_axes(&estimate.orientation);
-        Trajectory::new(&estimate.body_state(), tangents, &self.equations(estimate), PASS_STEP)
+        Trajectory::new(&estimate.body_state(), &self.equations(estimate), PASS_STEP)
     }
 
     /// Derivatives of the ratios with respect to those that are free; 0 for the infinite A/C of a thin rod, whose motion does not
@@ -188,7 +187,7 @@ impl Model {
     /// Launch at a later time, with the derivatives there with respect to the unknowns.
     pub(crate) fn predicted(&self, estimate: &Estimate, span: f64) -> Option<(Estimate, Partials)> {
         let equations = self.equations(estimate);
-        let at = self.sensitivity(estimate, &equations).ok()?.advance_with_omega_turned(span)?;
+        let at = self.sensitivity(estimate, &equations).ok()?.at(span)?;
         let orientation = at.orientation();
         let omega = at.omega();
         Some((Estimate { orientation, omega, ..*estimate }, at))

@@ -18,7 +18,6 @@ mod partials;
 
 mod trajectory;
 
-use crate::vector::{UNITS, cross};
 pub(crate) use coefficients::{Coefficients, LOSS_COUNT, RATIOS, log_derivatives};
 pub(crate) use equations::Equations;
 use integrals::projected;
@@ -26,7 +25,7 @@ pub use partials::Partials;
 pub(crate) use state::{BodyState, COLUMNS, LAUNCH_COLUMNS, Tangent};
 use toytop::internal::period_and_rotations;
 use toytop::scalar::{Extended, Float};
-use toytop::{Motion, Orientation, Phase};
+use toytop::{Motion, Phase};
 pub(crate) use trajectory::Trajectory;
 
 /// Longest step, in rad of the highest frequency.
@@ -40,7 +39,7 @@ pub(crate) const PASS_STEP: f64 = 0.4;
 ///
 /// There are ten derivatives, with respect to:
 ///
-/// * the rotation vector δ in the fixed frame, Φ(0) → exp(δ) Φ(0), in rad, while ω(0) is kept;
+/// * the rotation vector δ in the fixed frame, in rad, which turns the whole launch: exp(δ) Φ(0) and exp(δ) ω(0);
 /// * ω(0) in the fixed frame, rad per unit time;
 /// * A/C, A/(ps), s and g. For a fixed tip A/p takes the place of A/(ps), and the derivative with respect to s is 0.
 ///
@@ -112,12 +111,7 @@ impl Sensitivity {
         launch: &BodyState<f64>,
         longest_step: f64,
     ) -> Self {
-        let start = Trajectory::new(
-            launch,
-            Tangent::along_body_axes(&Orientation::IDENTITY),
-            equations,
-            longest_step,
-        );
+        let start = Trajectory::new(launch, equations, longest_step);
         Self { start, period: None, trajectory: start, count: 0 }
     }
 
@@ -130,21 +124,6 @@ impl Sensitivity {
 
     /// Derivatives as by [`Sensitivity::at`], integrated from the time of the last call. This is faster for a sequence of times.
     pub fn advance_to(&mut self, t: f64) -> Option<Partials> {
-        let mut partials = self.advance_with_omega_turned(t)?;
-        // with ω kept, a rotation δ of Φ changes ω by -δ × ω in the frame that turns by δ
-        let omega = self.start.now.omega();
-        let [x, y, z, by_omega @ ..] = &mut partials.tangents;
-        for (slot, unit) in [x, y, z].into_iter().zip(UNITS) {
-            for (column, weight) in by_omega.iter().zip(cross(omega, unit)) {
-                *slot = slot.plus(column, weight);
-            }
-        }
-        Some(partials)
-    }
-
-    /// Derivatives as by [`Sensitivity::advance_to`], but a rotation δ of the launch also turns ω(0): Φ(0) → exp(δ) Φ(0) and
-    /// ω(0) → exp(δ) ω(0).
-    pub(crate) fn advance_with_omega_turned(&mut self, t: f64) -> Option<Partials> {
         let Self { start, period, .. } = self;
         if !t.is_finite() {
             return None;

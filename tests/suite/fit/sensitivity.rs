@@ -1,7 +1,7 @@
 //! Partial derivatives, against central differences of launches in 640 bits, and where they grow without bound.
 
 use std::thread;
-use toytop::su2::Vector;
+use toytop::su2::{Vector, cross};
 use toytop::{Complex, Motion, Orientation, State, Stepper, Support, TopParameters};
 use toytop_fit::{Partials, Sensitivity};
 use toytop_host::input::scenario::{Launch, MotionInput};
@@ -122,10 +122,12 @@ fn error_of_change(given: &Given, input: usize, period: f64, partials: &[(f64, P
     let frequency = std::f64::consts::TAU / period;
     let [plus, minus] = [1.0, -1.0].map(|sign| given.changed(input, sign));
     let [up, down] = [&plus, &minus].map(|numbers| Quadrature::new(&numbers.numbers()));
-    let turned = rotation(&plus.unit(), &minus.unit());
+    let turned = rotation(&plus.unit(), &minus.unit()).map(|x| to_f64(&x));
     let ratios = plus.ratios().into_iter().zip(minus.ratios()).map(|(up, down)| to_f64(&(up - down)));
-    let omega = plus.omega.into_iter().zip(minus.omega).map(|(up, down)| up - down);
-    let change: Vec<f64> = turned.iter().map(to_f64).chain(omega).chain(ratios).collect();
+    // ω turns with Φ
+    let by_turn = cross(turned, given.omega);
+    let omega = [0, 1, 2].map(|k| plus.omega[k] - minus.omega[k] - by_turn[k]);
+    let change: Vec<f64> = turned.into_iter().chain(omega).chain(ratios).collect();
     worst(partials.iter().map(|(t, partials)| {
         let predicted = |columns: [Vector<f64>; 10]| {
             [0, 1, 2].map(|k| columns.iter().zip(&change).map(|(column, by)| column[k] * by).sum::<f64>())

@@ -6,9 +6,9 @@ use crate::fit::limits::SMALL_ANGLE_SINE;
 use crate::fit::solver::Fit;
 use crate::fit::statistics::Statistics;
 use crate::model::{Model, carried};
-use crate::sensitivity::{COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity, Tangent};
+use crate::sensitivity::{COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity};
 use crate::square_root::{MAX_UNKNOWNS, SquareRoot, inner};
-use crate::vector::{UNITS, UP, Vector, add_all, add_scaled, cross, scaled};
+use crate::vector::{UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, ParameterError, State, Top};
 
@@ -93,9 +93,8 @@ impl Fitted {
             drift: None,
             covariance: SquareRoot::ZERO,
         };
-        let turns = Tangent::along_body_axes(&fitted.launch.orientation);
         let rows = fit.damped(0.0).inverse_rows();
-        fitted.covariance = rows.map(|row| carried(&turns, &row.map(F::to_f64))).collect();
+        fitted.covariance = rows.map(|row| row.map(F::to_f64)).collect();
         fitted.unobservable = unobservable(&fitted);
         if fitted.model.has_losses() && fitted.carry_to(last).is_none() {
             fitted.warning = fitted.warning.or(Some(FitWarning::NotConverged));
@@ -179,16 +178,10 @@ impl Fitted {
 
     /// Derivatives with respect to the unknowns, from derivatives with respect to the launch and the ratios.
     fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MAX_UNKNOWNS] {
-        let [d1, d2, d3, w1, w2, w3, by_ratios @ ..] = *by;
-        let by_omega = [w1, w2, w3];
-        // ω turns with the orientation
-        let by_turn_of_omega =
-            UNITS.map(|unit| add_all([0.0; 3], by_omega.into_iter().zip(cross(unit, self.launch.omega))));
-        let turns =
-            [d1, d2, d3].into_iter().zip(by_turn_of_omega).map(|(by, turn)| add_scaled(by, turn, 1.0));
+        let (by_launch, by_ratios) = by.split_at(LAUNCH_COLUMNS);
         let shares = self.model.ratio_derivatives(&self.launch);
-        let free = shares.map(|shares| add_all([0.0; 3], by_ratios.into_iter().zip(shares)));
-        let mut columns = turns.chain(by_omega).chain(free);
+        let free = shares.map(|shares| add_all([0.0; 3], by_ratios.iter().copied().zip(shares)));
+        let mut columns = by_launch.iter().copied().chain(free);
         core::array::from_fn(|_| columns.next().unwrap_or([0.0; 3]))
     }
 

@@ -10,9 +10,9 @@ use crate::fit::block::Block;
 use crate::fit::limits::{CONVERGED, FIRST_DAMPING, MAX_PASSES, OPEN_DEVIATION, PART_CONVERGED};
 use crate::fit::statistics::Statistics;
 use crate::model::{MAX_SENSORS, Model, Prior};
-use crate::sensitivity::{LAUNCH_COLUMNS, Partials, Tangent, Trajectory};
+use crate::sensitivity::{Partials, Trajectory};
 use crate::sensors::{Measurement, Measurements, Residual, Sensor};
-use crate::square_root::{MAX_UNKNOWNS, SquareRoot, unit_row};
+use crate::square_root::{MAX_UNKNOWNS, SquareRoot};
 use toytop::scalar::Real;
 
 /// Fit of a launch to measurements.
@@ -198,7 +198,6 @@ impl<'a, F: Real> Fit<'a, F> {
     /// Makes the last correction. It lowers the sum of squares by the square of its size, as far as the equations are linear.
     fn end_with(&mut self, corrected: Estimate, size: f64) {
         let Pass { estimate, information, statistics } = &mut self.best;
-        // the information is about changes along the body axes, and does not turn with the correction
         information.set_solution(&[F::ZERO; MAX_UNKNOWNS]);
         *estimate = corrected;
         statistics.cost -= size * size;
@@ -206,22 +205,16 @@ impl<'a, F: Real> Fit<'a, F> {
     }
 
     /// Information of the best pass plus the damping of Marquardt: along each unknown, `damping` times its own information, and a prior of
-    /// ten units. It overwrites the information of the current pass. Damping is along the fixed axes, because yaw may be unobservable.
+    /// ten units. It overwrites the information of the current pass.
     #[inline(never)] // stack
     pub(super) fn damped(&mut self, damping: f64) -> &SquareRoot<F> {
         let Self { model, best: Pass { estimate, information, .. }, current, .. } = self;
         let damped = &mut current.information;
         damped.clone_from(information);
-        let launch = Tangent::along_body_axes(&estimate.orientation.inverse());
         for (index, unit) in model.units(estimate).into_iter().enumerate().take(model.count) {
-            let mut direction = unit_row(index, F::ONE);
-            if let Some(along) = launch.iter().take(LAUNCH_COLUMNS).nth(index) {
-                direction.iter_mut().zip(along.components()).for_each(|(slot, x)| *slot = x);
-            }
             let least = F::from_f64(1.0 / (OPEN_DEVIATION * unit));
-            let square = information.at(&direction) * F::from_f64(damping);
-            let weight = (square + least.squared()).sqrt();
-            damped.add(direction.map(|x| weight * x), F::ZERO);
+            let square = information.entry(index, index) * F::from_f64(damping);
+            damped.add_unknown(index, (square + least.squared()).sqrt());
         }
         damped
     }

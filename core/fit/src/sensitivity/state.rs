@@ -67,12 +67,12 @@ impl<F: Float> BodyState<F> {
 impl<F: Float> Tangent<F> {
     pub(crate) const ZERO: Self = Self { theta: [F::ZERO; 3], eta: [F::ZERO; 3] };
 
-    /// Changes of θ, then of η, along the body axes of an orientation; the others are 0.
-    pub(crate) fn along_body_axes(phi: &Orientation<f64>) -> [Self; COLUMNS] {
+    /// Columns at the launch: changes of θ, then of η, along the fixed axes. The columns of the ratios are 0.
+    pub(crate) fn launch_columns() -> [Self; COLUMNS] {
         let mut tangents = [Self::ZERO; COLUMNS];
         let (turns, rates) = tangents.split_at_mut(UNITS.len());
         for ((turn, rate), unit) in turns.iter_mut().zip(rates).zip(UNITS) {
-            (turn.theta, rate.eta) = (cast(phi.adjoint(unit)), cast(phi.adjoint(unit)));
+            (turn.theta, rate.eta) = (cast(unit), cast(unit));
         }
         tangents
     }

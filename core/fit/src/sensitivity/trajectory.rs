@@ -45,12 +45,8 @@ impl<F: Real> Trajectory<F> {
     ///
     /// * `longest_step`: product of the longest step and the bound on the frequencies
     #[inline(never)] // stack
-    pub(crate) fn new(
-        state: &BodyState<f64>,
-        tangents: [Tangent<F>; COLUMNS],
-        equations: &Equations<f64>,
-        longest_step: f64,
-    ) -> Self {
+    pub(crate) fn new(state: &BodyState<f64>, equations: &Equations<f64>, longest_step: f64) -> Self {
+        let tangents = Tangent::launch_columns();
         Self {
             now: Partials { state: state.cast(), tangents, equations: equations.cast() },
             time: 0.0,
@@ -148,7 +144,7 @@ impl Trajectory<f64> {
 mod tests {
     use super::*;
     use crate::sensitivity::{LAUNCH_COLUMNS, PASS_STEP, Sensitivity};
-    use crate::vector::{UNITS, Vector, add_scaled, cross, dot};
+    use crate::vector::{Vector, add_scaled, dot};
     use toytop::{Motion, Release, State, Top, TopParameters};
 
     /// A top by A, C, s, M, K and support (0: sliding, 1: fixed, 2: free), and its launch by tilt, spin, precession and
@@ -195,8 +191,7 @@ mod tests {
         let motion = Motion::launch(&top, &state).unwrap();
         let equations = Equations { columns: LAUNCH_COLUMNS, ..Equations::new(&top) };
         let launch = BodyState::new(state.orientation(), state.omega());
-        let tangents = Tangent::along_body_axes(&launch.orientation);
-        let mut trajectory = Trajectory::<F>::new(&launch, tangents, &equations, PASS_STEP);
+        let mut trajectory = Trajectory::<F>::new(&launch, &equations, PASS_STEP);
         let mut sensitivity = Sensitivity::new(&motion);
         let frequency = equations.frequency(&launch);
         let [mut off, mut changed] = [0.0_f64; 2];
@@ -211,16 +206,7 @@ mod tests {
                 off = off.max(apart(found, truth));
             }
             off = off.max(apart(found.transverse, truth.transverse) / frequency);
-            // the truth has changes along the fixed axes, where a change of Φ keeps ω
-            let column = |theta: Vector<f64>, eta: Vector<f64>| {
-                let shares = [theta, eta].map(|x| launch.orientation.inverse().adjoint(x));
-                let columns = now.tangents.iter().zip(shares.as_flattened());
-                columns
-                    .fold(Tangent::ZERO, |sum: Tangent<F>, (one, weight)| sum.plus(one, F::from_f64(*weight)))
-            };
-            let turns = UNITS.map(|unit| column(unit, cross(state.omega(), unit)));
-            let rates = UNITS.map(|unit| column([0.0; 3], unit));
-            for (x, y) in [turns, rates].as_flattened().iter().zip(&partials.tangents) {
+            for (x, y) in now.tangents.iter().zip(&partials.tangents).take(LAUNCH_COLUMNS) {
                 let error = apart(x.theta, y.theta) + apart(x.eta, y.eta) / frequency;
                 changed = changed.max(error / (size(y.theta) + size(y.eta) / frequency));
             }

@@ -127,9 +127,9 @@ class Motion(Constants):
         """Partial derivatives at time t, s, as arrays by name: the shape of t comes first, then the components, then the ten
         derivatives that partial_names lists.
 
-        They are with respect to the rotation vector (rad, fixed frame) that turns the orientation of the launch, to omega of the launch
-        (rad/s, fixed frame), and to the numbers A/C, A/(p s) (A/p for a fixed tip), s and g of the top, while the launch and the other
-        three are kept. Relative to the largest derivative of a column the error is about 1e-12.
+        They are with respect to the rotation vector (rad, fixed frame) that turns orientation and omega of the launch, to omega of the
+        launch (rad/s, fixed frame), and to the numbers A/C, A/(p s) (A/p for a fixed tip), s and g of the top, while the launch and the
+        other three are kept. Relative to the largest derivative of a column the error is about 1e-12.
 
         Returns:
             orientation (rotation vectors in the fixed frame, rad), omega, omega_body, axis, tip and tip_angle.
