@@ -11,7 +11,7 @@ mod state;
 mod impulse;
 
 pub(crate) use error::check_range;
-pub use error::{ParameterError, check, check_finite};
+pub use error::{ParameterError, check, check_finite, check_item};
 pub use impulse::PointImpulse;
 pub use parameters::TopParameters;
 pub(crate) use state::half_tilt_sine_cosine;

@@ -46,7 +46,7 @@ pub mod table_format {}
 /// Parts for `toytop-fit`, `toytop-closed-forms`, `toytop-c` and the host only; any version may change them.
 #[doc(hidden)]
 pub mod internal {
-    pub use crate::body::{check, check_finite};
+    pub use crate::body::{check, check_finite, check_item};
     pub use crate::motion::ellipses::{Ellipse, Ellipses};
     pub use crate::motion::unrounded::*;
     pub use crate::scalar::sine::{

@@ -17,6 +17,8 @@ mod block;
 
 mod statistics;
 
+mod warning;
+
 mod solver;
 
 mod first_guess;
@@ -27,7 +29,6 @@ mod check;
 
 mod fitted;
 
-use crate::error::{FitError, FitWarning, require};
 use crate::estimate::{Estimate, FreeRatio};
 use crate::model::{Model, Prior, carried};
 use crate::sensitivity::LAUNCH_COLUMNS;
@@ -38,8 +39,10 @@ use block::Block;
 pub use fitted::{Drift, Fitted, Unobservable};
 pub use solver::Fit;
 pub use statistics::Statistics;
-use toytop::Top;
+use toytop::internal::{check, check_item};
 use toytop::scalar::Real;
+use toytop::{ParameterError, Top};
+pub use warning::FitWarning;
 
 /// Fit of a block, and its difference from the prediction of the last block.
 #[derive(Clone, Copy, Debug)]
@@ -59,7 +62,11 @@ impl<'a, F: Real> Fit<'a, F> {
     ///
     /// # Errors
     /// `sensors`, `ratios`: more than four, or a number of one of them is out of range.
-    pub fn new(top: &Top, sensors: &'a [&'a dyn Sensor<F>], ratios: &[FreeRatio]) -> Result<Self, FitError> {
+    pub fn new(
+        top: &Top,
+        sensors: &'a [&'a dyn Sensor<F>],
+        ratios: &[FreeRatio],
+    ) -> Result<Self, ParameterError> {
         Ok(Self::with_model(sensors, Model::new(top, sensors, ratios, None)?, 3.0))
     }
 
@@ -79,8 +86,8 @@ impl<'a, F: Real> Fit<'a, F> {
     ///
     /// # Errors
     /// `ratios`: more than one. `deviation`: not a positive number.
-    pub fn with_losses(self, deviation: f64) -> Result<Self, FitError> {
-        require(deviation.is_finite() && deviation > 0.0, "deviation", None, "be finite and positive")?;
+    pub fn with_losses(self, deviation: f64) -> Result<Self, ParameterError> {
+        check(deviation.is_finite() && deviation > 0.0, "deviation", "finite and positive")?;
         let Self { sensors, model, huber, .. } = self;
         let model = Model::new(&model.top, sensors, model.free(), Some(deviation))?;
         Ok(Self::with_model(sensors, model, huber))
@@ -93,7 +100,7 @@ impl<'a, F: Real> Fit<'a, F> {
     pub fn run(
         &mut self,
         measurements: impl Iterator<Item = Measurement> + Clone,
-    ) -> Result<Fitted, FitError> {
+    ) -> Result<Fitted, ParameterError> {
         let block = Block::new(self.sensors, measurements)?;
         self.reset_prior();
         let (warning, other_launch_count) = self.find(&block);
@@ -113,7 +120,7 @@ impl<'a, F: Real> Fit<'a, F> {
         &mut self,
         guess: Estimate,
         measurements: impl Iterator<Item = Measurement> + Clone,
-    ) -> Result<Fitted, FitError> {
+    ) -> Result<Fitted, ParameterError> {
         let block = Block::new(self.sensors, measurements)?;
         self.reset_prior();
         self.start_from(&guess);
@@ -134,20 +141,17 @@ impl<'a, F: Real> Fit<'a, F> {
         last: &Fitted,
         drift_deviation: f64,
         measurements: impl Iterator<Item = Measurement> + Clone,
-    ) -> Result<Tracked, FitError> {
+    ) -> Result<Tracked, ParameterError> {
         let is_valid = drift_deviation.is_finite() && drift_deviation >= 0.0;
-        require(is_valid, "drift_deviation", None, "be finite and not negative")?;
+        check(is_valid, "drift_deviation", "finite and not negative")?;
         let is_same = self.model.has_unknowns_of(&last.model);
-        require(is_same, "last", None, "have the same top and the same unknowns")?;
+        check(is_same, "last", "of the same top, and have the same unknowns")?;
         let block = Block::new(self.sensors, measurements)?;
         let [first, _] = block.times;
         let span = first - last.launch_time;
-        require(span >= 0.0, "measurements", Some(0), "not be earlier than the last launch")?;
-        let refused = FitError {
-            parameter: "last",
-            index: None,
-            must: "be a motion that reaches the first measurement",
-        };
+        check_item(span >= 0.0, "measurements", 0, "as late as the last launch, or later")?;
+        let allowed = "a motion that reaches the first measurement";
+        let refused = ParameterError::OutOfRange { parameter: "last", allowed };
         let (predicted, at) = self.model.predicted(&last.launch, span).ok_or(refused)?;
         let rows = last.covariance.rows().map(|row| {
             let mut row = carried(&at.tangents, &row);

@@ -7,8 +7,6 @@
 
 mod vector;
 
-mod error;
-
 mod sensitivity;
 
 mod sensors;
@@ -25,9 +23,8 @@ mod fit;
 #[doc = include_str!("../docs/partials.md")]
 pub mod partials {}
 
-pub use error::{FitError, FitWarning};
 pub use estimate::{Estimate, FreeRatio};
-pub use fit::{Drift, Fit, Fitted, Statistics, Tracked, Unobservable};
+pub use fit::{Drift, Fit, FitWarning, Fitted, Statistics, Tracked, Unobservable};
 pub use model::{MAX_RATIOS, MAX_SENSORS};
 pub use sensitivity::{Partials, Sensitivity};
 pub use sensors::{

@@ -1,6 +1,5 @@
 //! Order, units and prior information of the unknowns of a fit, and the motion that they determine.
 
-use crate::error::{FitError, require};
 use crate::estimate::{Estimate, FreeRatio};
 use crate::sensitivity::{
     COARSE_STEP, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, PASS_STEP, Partials, RATIOS,
@@ -9,6 +8,7 @@ use crate::sensitivity::{
 use crate::sensors::Sensor;
 use crate::square_root::{MAX_UNKNOWNS, SquareRoot, Unknowns};
 use crate::vector::{UNITS, Vector, add_scaled, norm, scaled};
+use toytop::internal::{check, check_item};
 use toytop::scalar::Real;
 use toytop::{FirstIntegrals, Motion, Orientation, ParameterError, Top};
 
@@ -57,18 +57,18 @@ impl Model {
         sensors: &[&dyn Sensor<F>],
         ratios: &[FreeRatio],
         loss_deviation: Option<f64>,
-    ) -> Result<Self, FitError> {
+    ) -> Result<Self, ParameterError> {
         let losses = loss_deviation.into_iter().flat_map(|deviation| [deviation; LOSS_COUNT]);
         let motion_count = LAUNCH_COLUMNS + ratios.len() + losses.clone().count();
-        require(sensors.len() <= MAX_SENSORS, "sensors", None, "be at most four")?;
-        require(motion_count <= COLUMNS, "ratios", None, "be at most four, or one with losses")?;
+        check(sensors.len() <= MAX_SENSORS, "sensors", "at most four")?;
+        check(motion_count <= COLUMNS, "ratios", "at most four, or one with losses")?;
         for (index, sensor) in sensors.iter().enumerate() {
-            let must = "have positive noise, and a bias that is not negative";
-            require(sensor.noise().is_valid(), "sensors", Some(index), must)?;
+            let allowed = "one with positive noise, and a bias that is not negative";
+            check_item(sensor.noise().is_valid(), "sensors", index, allowed)?;
         }
         for (index, ratio) in ratios.iter().enumerate() {
-            let must = "have a finite direction other than 0, and a positive deviation";
-            require(ratio.is_valid(), "ratios", Some(index), must)?;
+            let allowed = "one with a finite direction other than 0, and a positive deviation";
+            check_item(ratio.is_valid(), "ratios", index, allowed)?;
         }
         let mut model = Self {
             top: *top,

@@ -19,13 +19,24 @@ pub enum ParameterError {
         /// Allowed values.
         allowed: &'static str,
     },
+    /// An item of a list is not allowed.
+    Item {
+        /// Name of the list.
+        parameter: &'static str,
+        /// Index of the item, counted from 0.
+        index: usize,
+        /// Allowed items.
+        allowed: &'static str,
+    },
 }
 
 impl ParameterError {
-    /// Name of the parameter.
+    /// Name of the parameter, or of the list.
     pub fn parameter(&self) -> &'static str {
         match self {
-            Self::NotFinite { parameter } | Self::OutOfRange { parameter, .. } => parameter,
+            Self::NotFinite { parameter }
+            | Self::OutOfRange { parameter, .. }
+            | Self::Item { parameter, .. } => parameter,
         }
     }
 
@@ -33,21 +44,29 @@ impl ParameterError {
     pub fn allowed(&self) -> &'static str {
         match self {
             Self::NotFinite { .. } => "a finite number",
-            Self::OutOfRange { allowed, .. } => allowed,
+            Self::OutOfRange { allowed, .. } | Self::Item { allowed, .. } => allowed,
         }
     }
 }
 
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: must be {}", self.parameter(), self.allowed())
+        f.write_str(self.parameter())?;
+        if let Self::Item { index, .. } = self {
+            write!(f, " {index}")?;
+        }
+        write!(f, ": must be {}", self.allowed())
     }
 }
 
 #[cfg(feature = "defmt")]
 impl defmt::Format for ParameterError {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=str}: must be {=str}", self.parameter(), self.allowed());
+        defmt::write!(f, "{=str}", self.parameter());
+        if let Self::Item { index, .. } = self {
+            defmt::write!(f, " {=usize}", index);
+        }
+        defmt::write!(f, ": must be {=str}", self.allowed());
     }
 }
 
@@ -61,6 +80,16 @@ pub fn check_finite(parameter: &'static str, value: f64) -> Result<f64, Paramete
 /// Error unless `holds`.
 pub fn check(holds: bool, parameter: &'static str, allowed: &'static str) -> Result<(), ParameterError> {
     if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
+}
+
+/// Error of an item of a list unless `holds`.
+pub fn check_item(
+    holds: bool,
+    parameter: &'static str,
+    index: usize,
+    allowed: &'static str,
+) -> Result<(), ParameterError> {
+    if holds { Ok(()) } else { Err(ParameterError::Item { parameter, index, allowed }) }
 }
 
 /// The value, or an error where it is outside a range, which `allowed` describes.

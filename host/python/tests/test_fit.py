@@ -198,7 +198,7 @@ def changed(samples: dict[str, Any], name: str, row: int, value: float) -> dict[
         ("samples: t: row 5: must be a finite", lambda s, m: toytop.fit(changed(s, "t", 5, np.nan), m.top)),
         ("samples: t: row 6: must not be earlier", lambda s, m: toytop.fit(changed(s, "t", 5, 9.0), m.top)),
         (
-            "samples: measurements: must not be empty",
+            "samples: measurements: must be at least one",
             lambda s, m: toytop.fit({name: column[:0] for name, column in s.items()}, m.top),
         ),
         ("huber: must be a number from 1", lambda s, m: toytop.fit(s, m.top, huber=0.5)),

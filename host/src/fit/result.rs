@@ -7,10 +7,8 @@ use crate::input::section;
 use crate::output::{exact, significant};
 use serde::Serialize;
 use toml::{Table, Value};
-use toytop::{Support, Top};
-use toytop_fit::{
-    Drift, Fit, FitError, FitWarning, Fitted, FreeRatio, Hint, MAX_RATIOS, Measurement, Partials,
-};
+use toytop::{ParameterError, Support, Top};
+use toytop_fit::{Drift, Fit, FitWarning, Fitted, FreeRatio, Hint, MAX_RATIOS, Measurement, Partials};
 use toytop_model::equations::dot;
 
 /// Keys of a top that a fit may change.
@@ -78,9 +76,9 @@ pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitRe
     if input.huber.is_nan() || input.huber < 1.0 {
         return Err(Failure::input("must be a number from 1, or inf").at("huber"));
     }
-    let refuse = |error: FitError| match error.parameter {
+    let refuse = |error: ParameterError| match error.parameter() {
         "deviation" => Failure::input("must be a positive number").at("drift"),
-        "ratios" if input.drift.is_some() && error.index.is_none() => {
+        "ratios" if input.drift.is_some() => {
             Failure::input("must be at most one name with a drift").at("free")
         }
         _ => Failure::input(error.to_string()).at("samples"),
@@ -242,7 +240,7 @@ impl FitResult {
     /// # Errors
     /// [`Failure::input`]: no top has the fitted numbers.
     pub fn scenario(&self, units: Option<&str>) -> Result<String, Failure> {
-        let refuse = |error: toytop::ParameterError| Failure::input(format!("the fitted top: {error}"));
+        let refuse = |error: ParameterError| Failure::input(format!("the fitted top: {error}"));
         self.fitted.motion().map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
         let mut text = format!(

@@ -4,10 +4,10 @@ use super::sensors::{
     ACCELEROMETER, GYROSCOPE, MAGNETOMETER, SENSORS, check_errors, fitted, readings, refusal, release,
     simulated,
 };
-use toytop::{Motion, Orientation, State, Top, TopParameters};
+use toytop::{Motion, Orientation, ParameterError, State, Top, TopParameters};
 use toytop_fit::{
-    AxisCamera, Fit, FitError, FitWarning, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Mark,
-    Measurement, Mounting, Noise, Sensitivity, Sensor,
+    AxisCamera, Fit, FitWarning, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Mark, Measurement,
+    Mounting, Noise, Sensitivity, Sensor,
 };
 use toytop_tests::{TOY, toy};
 
@@ -74,7 +74,7 @@ fn bad_measurements_are_refused_or_not_believed() {
     let run = |measurements: &[Measurement]| {
         Fit::new(&top, &SENSORS, &[]).unwrap().run(measurements.iter().copied())
     };
-    assert_eq!(refusal(run(&[])), "measurements: must not be empty");
+    assert_eq!(refusal(run(&[])), "measurements: must be at least one");
     let changed = |change: fn(&mut Vec<Measurement>)| {
         let mut measurements = good.clone();
         change(&mut measurements);
@@ -83,10 +83,10 @@ fn bad_measurements_are_refused_or_not_believed() {
     let refused = |change, expected: &str| assert_eq!(refusal(changed(change)), expected);
     refused(|all| all[5].values[1] = f64::NAN, "measurements 5: must be finite");
     refused(|all| all[6].time = f64::INFINITY, "measurements 6: must be finite");
-    refused(|all| all[8].time = 0.0, "measurements 8: must not be earlier than the one before");
+    refused(|all| all[8].time = 0.0, "measurements 8: must be as late as the one before, or later");
     refused(|all| all[9].sensor = 3, "measurements 9: must be of a sensor in the list");
     // the readings of one instant do not determine the rate about the axis
-    let reason = |found: Result<Fitted, FitError>| found.unwrap().warning;
+    let reason = |found: Result<Fitted, ParameterError>| found.unwrap().warning;
     assert!(reason(changed(|all| all.truncate(1))).is_some());
     assert!(reason(changed(|all| all.truncate(3))).is_some());
     // all readings are at the end of the range
@@ -117,7 +117,7 @@ fn a_sensor_without_positive_noise_is_refused() {
         let gyroscope = Gyroscope { noise: Noise { deviation, bias_deviation }, ..GYROSCOPE };
         let sensors: [&dyn Sensor; 2] = [&ACCELEROMETER, &gyroscope];
         let refused = refusal(Fit::new(&toy(), &sensors, &[]));
-        assert_eq!(refused, "sensors 1: must have positive noise, and a bias that is not negative");
+        assert_eq!(refused, "sensors 1: must be one with positive noise, and a bias that is not negative");
     }
 }
 
@@ -128,7 +128,7 @@ fn a_ratio_without_a_direction_or_with_a_wrong_deviation_is_refused() {
     let directions = [0.0, f64::NAN, f64::INFINITY].map(|x| FreeRatio::new([0.0, x, 0.0, 0.0]));
     for wrong in deviations.into_iter().chain(directions) {
         let refused = refusal(Fit::new(&toy(), &SENSORS, &[FreeRatio::GRAVITY, wrong]));
-        let expected = "ratios 1: must have a finite direction other than 0, and a positive deviation";
+        let expected = "ratios 1: must be one with a finite direction other than 0, and a positive deviation";
         assert_eq!(refused, expected, "{wrong:?}");
     }
 }

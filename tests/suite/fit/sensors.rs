@@ -1,9 +1,9 @@
 //! Simulated sensors, and the launches that a fit finds from their readings.
 
-use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
+use toytop::{Motion, Orientation, ParameterError, Release, State, Top, TopParameters};
 use toytop_fit::{
-    Accelerometer, Fit, FitError, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Measurement, Mounting,
-    Noise, Residual, Sensitivity, Sensor,
+    Accelerometer, Fit, Fitted, FreeRatio, Gyroscope, Hint, Magnetometer, Measurement, Mounting, Noise,
+    Residual, Sensitivity, Sensor,
 };
 use toytop_tests::TOY;
 use toytop_tests::random::Random;
@@ -113,7 +113,7 @@ pub(crate) fn simulated(top: &Top, state: &State, sensors: &[&dyn Sensor], count
 }
 
 /// Text of a refusal.
-pub(crate) fn refusal<T>(result: Result<T, FitError>) -> String {
+pub(crate) fn refusal<T>(result: Result<T, ParameterError>) -> String {
     result.err().unwrap().to_string()
 }
 

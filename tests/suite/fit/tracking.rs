@@ -42,12 +42,12 @@ fn a_loss_of_spin_between_two_blocks_is_tracked_and_reported() {
     let other_top = Fit::new(&held(), &SENSORS, &[]).unwrap();
     for mut other in [free, one_sensor, fit.clone().with_losses(LOSS).unwrap(), other_top] {
         let refused = other.track(&last, LOSS, second.iter().copied());
-        assert_eq!(refusal(refused), "last: must have the same top and the same unknowns");
+        assert_eq!(refusal(refused), "last: must be of the same top, and have the same unknowns");
     }
     let mut later = last;
     later.launch_time = 10.0;
     let late = fit.track(&later, 0.0, second.iter().copied());
-    assert_eq!(refusal(late), "measurements 0: must not be earlier than the last launch");
+    assert_eq!(refusal(late), "measurements 0: must be as late as the last launch, or later");
     let mut invalid = last;
     invalid.launch.omega = [f64::NAN; 3];
     let invalid = fit.track(&invalid, 0.0, second.iter().copied());

@@ -1,8 +1,9 @@
 //! Measurements of one fit, checked, with their sensors.
 
-use crate::error::{FitError, require};
 use crate::sensors::{Hint, Measurement, Measurements, Sensor};
 use crate::vector::Vector;
+use toytop::ParameterError;
+use toytop::internal::check_item;
 
 /// Measurements of one fit, checked, with their sensors.
 pub(super) struct Block<'a, F, M> {
@@ -19,20 +20,20 @@ pub(super) struct Block<'a, F, M> {
 impl<'a, F, M: Measurements> Block<'a, F, M> {
     /// Block whose rates are in rad per unit time. Each measurement is checked.
     #[inline(never)] // stack
-    pub(super) fn new(sensors: &'a [&'a dyn Sensor<F>], measurements: M) -> Result<Self, FitError> {
+    pub(super) fn new(sensors: &'a [&'a dyn Sensor<F>], measurements: M) -> Result<Self, ParameterError> {
         const NAME: &str = "measurements";
         let mut total = 0;
         let mut times = None;
         for Measurement { time, sensor, values } in measurements.clone() {
             let [first, last] = times.unwrap_or([time; 2]);
             let is_finite = time.is_finite() && values.iter().all(|x| x.is_finite());
-            require(is_finite, NAME, Some(total), "be finite")?;
-            require(time >= last, NAME, Some(total), "not be earlier than the one before")?;
-            require(sensor < sensors.len(), NAME, Some(total), "be of a sensor in the list")?;
+            check_item(is_finite, NAME, total, "finite")?;
+            check_item(time >= last, NAME, total, "as late as the one before, or later")?;
+            check_item(sensor < sensors.len(), NAME, total, "of a sensor in the list")?;
             times = Some([first, time]);
             total += 1;
         }
-        let times = times.ok_or(FitError { parameter: NAME, index: None, must: "not be empty" })?;
+        let times = times.ok_or(ParameterError::OutOfRange { parameter: NAME, allowed: "at least one" })?;
         Ok(Self { sensors, total, times, rate_unit: 1.0, measurements })
     }
 

@@ -1,11 +1,11 @@
 //! Last passes over all measurements, and reasons not to trust the launch that they find.
 
-use crate::error::FitWarning;
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
 use crate::fit::first_guess::rotation_from_vertical;
 use crate::fit::limits::{CHANCE_COST, MAX_RATE_AT_REST, MIN_NOISE, RANGE_FRACTION, SMALL_ANGLE_SINE};
 use crate::fit::solver::Fit;
+use crate::fit::warning::FitWarning;
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::Measurements;
 use crate::vector::{Vector, cross, dot, scaled};

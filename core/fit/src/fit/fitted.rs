@@ -1,10 +1,10 @@
 //! Result of a fit: the launch, its covariance, and how far both can be trusted.
 
-use crate::error::FitWarning;
 use crate::estimate::Estimate;
 use crate::fit::limits::SMALL_ANGLE_SINE;
 use crate::fit::solver::Fit;
 use crate::fit::statistics::Statistics;
+use crate::fit::warning::FitWarning;
 use crate::model::{Model, carried};
 use crate::sensitivity::{COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity};
 use crate::square_root::{MAX_UNKNOWNS, SquareRoot, inner};

@@ -1,11 +1,11 @@
 //! Search for a launch without a first guess, on longer and longer parts of the measurements.
 
-use crate::error::FitWarning;
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
 use crate::fit::first_guess::{Guesses, guesses};
 use crate::fit::limits::{CHANCE_COST, FIRST_INSTANTS, GROSS_SIGMA, PART_FACTOR};
 use crate::fit::solver::{Fit, Pass};
+use crate::fit::warning::FitWarning;
 use crate::sensors::Measurements;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;

@@ -144,7 +144,7 @@ fn bad_samples_are_refused_with_their_line() {
         ("0,1,2,3,0,0,9.8\n-1,1,2,3,0,0,9.8\n", "line 3: t: must not be earlier"),
         ("0,1,2,3,0\n", "line 2: must have 7 fields, as the header; has 5"),
         ("0,1,2,,0,0,9.8\n", "line 2: gyro_z: must be a finite number"),
-        ("", "must not be empty"),
+        ("", "measurements: must be at least one"),
     ] {
         fitted(format!("{header}{rows}")).refused(2, expected);
     }

@@ -1,40 +1,6 @@
-//! Errors and warnings of a fit.
+//! Reasons not to trust the result of a fit.
 
 use core::fmt;
-
-/// Input that a fit refuses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct FitError {
-    /// Name of the parameter, or of the list whose item is refused.
-    pub parameter: &'static str,
-    /// Index of the item in its list, counted from 0.
-    pub index: Option<usize>,
-    /// Rule that is broken, after the word *must*: `be finite`.
-    pub must: &'static str,
-}
-
-/// Error unless `holds`.
-pub(crate) fn require(
-    holds: bool,
-    parameter: &'static str,
-    index: Option<usize>,
-    must: &'static str,
-) -> Result<(), FitError> {
-    if holds { Ok(()) } else { Err(FitError { parameter, index, must }) }
-}
-
-impl fmt::Display for FitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.parameter)?;
-        if let Some(index) = self.index {
-            write!(f, " {index}")?;
-        }
-        write!(f, ": must {}", self.must)
-    }
-}
-
-impl core::error::Error for FitError {}
 
 /// Reason why a launch must not be trusted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
