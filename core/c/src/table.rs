@@ -1,6 +1,6 @@
 //! Tables in memory of the caller.
 
-use crate::memory::{Opaque, load, read, store};
+use crate::memory::{Opaque, load, opaque, read, store};
 use crate::status::{Refusal, toytop_status};
 use core::ptr::slice_from_raw_parts_mut;
 use core::sync::atomic::{AtomicU16, Ordering::Relaxed};
@@ -8,36 +8,33 @@ use toytop::fixed::types::I2F30;
 use toytop::internal::{MAX_SEGMENTS, MIN_SEGMENTS};
 use toytop::{SizedTable, Table, TableMemory, TableScalar};
 
+opaque! {
 /// Bytes of a table in `f32` of the standard size, 25 segments.
-pub const TOYTOP_TABLE_F32_SIZE: usize = 2240;
-/// Bytes of a table in `f64` of the standard size, 48 segments.
-pub const TOYTOP_TABLE_F64_SIZE: usize = 17152;
-/// Bytes of a table in fixed point of the standard size, 32 segments.
-pub const TOYTOP_TABLE_Q31_SIZE: usize = 2288;
-/// Alignment of the memory of a table, bytes.
-pub const TOYTOP_TABLE_ALIGNMENT: usize = 8;
+TOYTOP_TABLE_F32_SIZE = 2240;
 
 /// Table of a motion in `f32`. Memory of `TOYTOP_TABLE_F32_SIZE_OF(segments)` bytes with the same alignment may be used
 /// as a larger or smaller table.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_table_f32 {
-    opaque: [u64; 280],
+toytop_table_f32[280]
 }
+
+opaque! {
+/// Bytes of a table in `f64` of the standard size, 48 segments.
+TOYTOP_TABLE_F64_SIZE = 17152;
 
 /// Table of a motion in `f64`; see `toytop_table_f32`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_table_f64 {
-    opaque: [u64; 2144],
+toytop_table_f64[2144]
 }
 
+opaque! {
+/// Bytes of a table in fixed point of the standard size, 32 segments.
+TOYTOP_TABLE_Q31_SIZE = 2288;
+
 /// Table of a motion in fixed point of 32 bits; see `toytop_table_f32`.
-#[repr(C)]
-#[derive(Clone, Copy, Debug)]
-pub struct toytop_table_q31 {
-    opaque: [u64; 286],
+toytop_table_q31[286]
 }
+
+/// Alignment of the memory of a table, bytes.
+pub const TOYTOP_TABLE_ALIGNMENT: usize = 8;
 
 /// Number that the memory of a table of this scalar begins with.
 const fn tag_of<R: TableScalar>() -> u32 {
@@ -60,8 +57,15 @@ static SET_UPS: AtomicU16 = AtomicU16::new(0);
 /// Table whose set-up has succeeded.
 pub(crate) struct CheckedTable<'a, R: TableScalar> {
     pub(crate) table: &'a Table<R>,
-    /// Mixture of scalar, generation and address, which a cursor, a sample and events of this table carry.
-    identity: u32,
+    origin: Origin,
+}
+
+/// Set-up from which a table, or a value that belongs to it, comes: the address of the table, and the number of the set-up.
+#[repr(C, packed(4))]
+#[derive(Clone, Copy, PartialEq)]
+struct Origin {
+    address: *const u8,
+    generation: u32,
 }
 
 /// Memory of the smallest table.
@@ -73,17 +77,16 @@ const fn size_of_table<R: TableScalar>(segments: usize) -> usize {
         + segments * size_of::<R::Segment>()
 }
 
-// Assertions of the numbers in the header. The alignment suits the words of a table; cbindgen accepts only a number as a length.
+// Assertions of the numbers in the header. The alignment suits the words of a table.
 const _: () = {
-    const fn sizes_agree<R: TableScalar, T>(size: usize, segments: usize, segment: usize) -> bool {
-        size_of::<T>() == size
-            && size_of_table::<R>(segments) == size
+    const fn sizes_agree<R: TableScalar>(size: usize, segments: usize, segment: usize) -> bool {
+        size_of_table::<R>(segments) == size
             && size_of::<R::Segment>() == segment
             && align_of::<SmallestMemory<R>>() <= TOYTOP_TABLE_ALIGNMENT
     }
-    assert!(sizes_agree::<f32, toytop_table_f32>(TOYTOP_TABLE_F32_SIZE, 25, 80));
-    assert!(sizes_agree::<f64, toytop_table_f64>(TOYTOP_TABLE_F64_SIZE, 48, 352));
-    assert!(sizes_agree::<I2F30, toytop_table_q31>(TOYTOP_TABLE_Q31_SIZE, 32, 64));
+    assert!(sizes_agree::<f32>(TOYTOP_TABLE_F32_SIZE, 25, 80));
+    assert!(sizes_agree::<f64>(TOYTOP_TABLE_F64_SIZE, 48, 352));
+    assert!(sizes_agree::<I2F30>(TOYTOP_TABLE_Q31_SIZE, 32, 64));
 };
 
 /// Address of the head of a table; null and unaligned pointers are refused.
@@ -122,24 +125,20 @@ pub(crate) unsafe fn table_at<'a, R: TableScalar>(
     // SAFETY: the caller guarantees valid memory; `empty_table` wrote as many segments as it says.
     let memory = unsafe { &*table_after::<R>(head, segments.into()) };
     let table = memory.get().ok_or(toytop_status::TOYTOP_NOT_SET_UP)?;
-    // by an odd factor, so that tables beside each other differ at any counts
-    let identity = (tag << 16 | u32::from(generation)) ^ (address.addr() as u32).wrapping_mul(0x9e37_79b1);
-    Ok(CheckedTable { table, identity })
+    Ok(CheckedTable { table, origin: Origin { address, generation: generation.into() } })
 }
 
-/// Value that belongs to a table, as C keeps it: with the address and the identity of the table. It is packed, because C has 64 bytes for a
-/// cursor.
+/// Value that belongs to a table, as C keeps it. It is packed, because C has 64 bytes for a cursor.
 #[repr(C, packed(4))]
 pub(crate) struct OfTable<T> {
-    identity: u32,
-    address: *const u8,
+    origin: Origin,
     pub(crate) value: T,
 }
 
 impl<T> OfTable<T> {
     /// Refuses the value unless it belongs to this set-up of the table.
     pub(crate) fn belongs_to<R: TableScalar>(&self, table: &CheckedTable<R>) -> Result<(), Refusal> {
-        if self.identity == table.identity { Ok(()) } else { Err(toytop_status::TOYTOP_NOT_SET_UP.into()) }
+        if self.origin == table.origin { Ok(()) } else { Err(toytop_status::TOYTOP_NOT_SET_UP.into()) }
     }
 }
 
@@ -157,8 +156,8 @@ where
 {
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
-        let CheckedTable { table, identity } = table_at::<R>(address)?;
-        store(place, OfTable { identity, address, value: value(table)? })
+        let CheckedTable { table, origin } = table_at::<R>(address)?;
+        store(place, OfTable { origin, value: value(table)? })
     }
 }
 
@@ -173,7 +172,7 @@ where
     // SAFETY: the caller guarantees valid pointers and a valid table.
     unsafe {
         let kept: OfTable<T> = load(place)?;
-        kept.belongs_to(&table_at::<R>(kept.address)?)?;
+        kept.belongs_to(&table_at::<R>(kept.origin.address)?)?;
         Ok(kept)
     }
 }
