@@ -4,14 +4,14 @@ use crate::estimate::Estimate;
 use crate::fit::block::Block;
 use crate::fit::first_guess::rotation_from_vertical;
 use crate::fit::limits::{CHANCE_COST, MAX_RATE_AT_REST, MIN_NOISE, RANGE_FRACTION, SMALL_ANGLE_SINE};
-use crate::fit::solver::Fit;
+use crate::fit::solver::Solver;
 use crate::fit::warning::FitWarning;
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::Measurements;
 use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
 
-impl<F: Real> Fit<'_, F> {
+impl<F: Real> Solver<'_, F> {
     /// Searches for a launch, and checks it. Returns the reason not to trust the estimate, and the number of other launches that fit as well.
     pub(super) fn find(&mut self, block: &Block<F, impl Measurements>) -> (Option<FitWarning>, usize) {
         match self.search(block) {

@@ -2,7 +2,7 @@
 
 use crate::estimate::Estimate;
 use crate::fit::limits::SMALL_ANGLE_SINE;
-use crate::fit::solver::Fit;
+use crate::fit::solver::Solver;
 use crate::fit::statistics::Statistics;
 use crate::fit::warning::FitWarning;
 use crate::model::{Model, carried};
@@ -76,24 +76,24 @@ pub struct Fitted {
 impl Fitted {
     /// Result of the best estimate of a fit, for measurements between two times.
     pub(super) fn new<F: Real>(
-        fit: &mut Fit<F>,
+        solver: &mut Solver<F>,
         [first, last]: [f64; 2],
         warning: Option<FitWarning>,
         other_launch_count: usize,
     ) -> Self {
         let mut fitted = Self {
             launch_time: first,
-            launch: fit.best.estimate,
-            statistics: fit.best.statistics,
+            launch: solver.best.estimate,
+            statistics: solver.best.statistics,
             unobservable: Unobservable::default(),
             warning,
             other_launch_count,
-            unknown_count: fit.model.count,
-            model: fit.model,
+            unknown_count: solver.model.count,
+            model: solver.model,
             drift: None,
             covariance: SquareRoot::ZERO,
         };
-        let rows = fit.damped(0.0).inverse_rows();
+        let rows = solver.damped(0.0).inverse_rows();
         fitted.covariance = rows.map(|row| row.map(F::to_f64)).collect();
         fitted.unobservable = unobservable(&fitted);
         if fitted.model.has_losses() && fitted.carry_to(last).is_none() {

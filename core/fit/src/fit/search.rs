@@ -4,13 +4,13 @@ use crate::estimate::Estimate;
 use crate::fit::block::Block;
 use crate::fit::first_guess::{Guesses, guesses};
 use crate::fit::limits::{CHANCE_COST, FIRST_INSTANTS, GROSS_SIGMA, PART_FACTOR};
-use crate::fit::solver::{Fit, Pass};
+use crate::fit::solver::{Pass, Solver};
 use crate::fit::warning::FitWarning;
 use crate::sensors::Measurements;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
-impl<F: Real> Fit<'_, F> {
+impl<F: Real> Solver<'_, F> {
     /// Finds an estimate that is good enough for passes over all measurements. Returns the number of other launches that fit the first
     /// ones equally well, or the reason why there is no guess.
     #[inline(never)] // stack

@@ -15,13 +15,9 @@ use crate::sensors::{Measurement, Measurements, Residual, Sensor};
 use crate::square_root::{MAX_UNKNOWNS, SquareRoot};
 use toytop::scalar::Real;
 
-/// Fit of a launch to measurements.
-///
-/// The unknowns are the launch, the free ratios, and the constant biases of the sensors. The scalar `f32` suffices for sensors whose noise
-/// is at least 1e-4 of their readings; the fit then keeps 5.4 KB, whatever the number of measurements, and takes
-/// 13 KB of stack.
+/// Unknowns and sensors of a fit, and its estimates.
 #[derive(Clone)]
-pub struct Fit<'a, F = f64> {
+pub(super) struct Solver<'a, F> {
     pub(super) sensors: &'a [&'a dyn Sensor<F>],
     pub(super) model: Model,
     /// Largest residual that counts quadratically, in standard deviations.
@@ -82,9 +78,9 @@ impl<F: Real> Pass<F> {
     }
 }
 
-impl<'a, F: Real> Fit<'a, F> {
-    /// Fit of the unknowns of a model.
-    pub(super) fn with_model(sensors: &'a [&'a dyn Sensor<F>], model: Model, huber: f64) -> Self {
+impl<'a, F: Real> Solver<'a, F> {
+    /// Solver for the unknowns of a model.
+    pub(super) fn new(sensors: &'a [&'a dyn Sensor<F>], model: Model, huber: f64) -> Self {
         let prior = model.prior();
         let Prior { estimate, .. } = prior;
         let pass = Pass { estimate, information: SquareRoot::ZERO, statistics: Statistics::default() };
