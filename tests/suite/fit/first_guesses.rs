@@ -1,9 +1,10 @@
 //! First guesses: measurements that leave a rotation or the orientation open, and launches that fit only some of the sensors.
 
 use super::sensors::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, held, mounting, simulated};
-use toytop::{Orientation, Release, State, Top};
+use toytop::su2::dot;
+use toytop::{Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{Accelerometer, Fitted, Mounting, Sensor};
-use toytop_tests::toy;
+use toytop_tests::{TOY, toy};
 
 /// Angle between the fitted and the true orientation, without the rotation about the vertical if that is undetermined.
 fn error(fitted: &Fitted, state: &State) -> f64 {
@@ -46,6 +47,26 @@ fn a_held_top_beyond_the_range_of_the_gyroscope_is_found() {
             found += u32::from(fit.is_trusted());
         }
         assert!(found >= 23, "{count}: {found}");
+    }
+}
+
+/// At the centre of mass of a free body an accelerometer reads its noise and bias, which have no direction. The magnetometer alone tells
+/// the rate about the axis.
+#[test]
+fn an_accelerometer_of_a_free_body_tells_no_direction() {
+    let body = Top::free(&TopParameters { transverse_inertia: 7.5e-5, ..TOY }).unwrap();
+    for case in 0..24 {
+        let state = thrown(case, 0.1 + 0.03 * f64::from(case), 40.0 + 4.7 * f64::from(case));
+        let sensors: [&dyn Sensor; 3] = [&GYROSCOPE, &ACCELEROMETER, &MAGNETOMETER];
+        let fit = simulated(&body, &state, &sensors, 300, u64::from(case));
+        assert!(fit.is_trusted(), "{case}: {:?} {:?}", fit.warning, fit.statistics);
+        // the rotation about the field is open
+        assert_eq!(fit.unobservable.count, 1, "{case}: {:?}", fit.unobservable);
+        let axis = fit.launch.orientation.axis();
+        let off = dot(fit.launch.omega, axis) - dot(state.omega(), state.orientation().axis());
+        let along = |i: usize, j: usize| axis[i] * axis[j] * fit.covariance(3 + i, 3 + j);
+        let variance: f64 = (0..3).flat_map(|i| (0..3).map(move |j| (i, j))).map(|(i, j)| along(i, j)).sum();
+        assert!(off.abs() < 4.0 * variance.sqrt() && off.abs() < 0.5, "{case}: {off}, {variance}");
     }
 }
 

@@ -2,8 +2,11 @@
 
 use crate::sensitivity::Partials;
 use crate::sensors::{Hint, Mounting, Noise, Residual, Sensor, Values, first_three};
-use crate::vector::{UP, Vector, cast, dot, unit};
+use crate::vector::{UP, Vector, cast, norm, unit};
 use toytop::scalar::Real;
+
+/// Least specific force that tells a direction, in standard deviations.
+const HINT_SIGMA: f64 = 5.0;
 
 /// Rate gyroscope with three axes. It reads Ω, in rad per unit time.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,11 +71,13 @@ impl<F: Real> Sensor<F> for Accelerometer {
     }
 
     fn hint(&self, values: &Values) -> Hint {
-        // away from the centre of mass, or the tip, most of the specific force comes from the rotation
-        if dot(self.mounting.place, self.mounting.place) > 0.0 {
+        let reading = first_three(values);
+        // that of a free body is noise and bias; away from the centre of mass, or the tip, most of it comes from the rotation
+        let least = HINT_SIGMA * (self.noise.deviation + self.noise.bias_deviation);
+        if norm(reading) < least || norm(self.mounting.place) > 0.0 {
             return Hint::None;
         }
-        Hint::Direction { fixed: UP, body: self.mounting.rotation.adjoint(first_three(values)) }
+        Hint::Direction { fixed: UP, body: self.mounting.rotation.adjoint(reading) }
     }
 }
 
