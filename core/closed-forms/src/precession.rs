@@ -121,9 +121,9 @@ impl RegularPrecession {
             let value = z * Complex::cis((rate * t.into()).radians_to_turns().to_phase());
             (value, value.times_i().scaled(rate.to_f64()))
         };
-        let [of_alpha, of_beta] = self.argument_rates;
-        let (alpha, alpha_rate) = rotated(self.start.alpha, of_alpha);
-        let (beta, beta_rate) = rotated(self.start.beta, of_beta);
+        let [alpha_argument_rate, beta_argument_rate] = self.argument_rates;
+        let (alpha, alpha_rate) = rotated(self.start.alpha, alpha_argument_rate);
+        let (beta, beta_rate) = rotated(self.start.beta, beta_argument_rate);
         let rate = OrientationRate { alpha: alpha_rate, beta: beta_rate };
         AttitudeState { orientation: Orientation { alpha, beta }, rate }
     }

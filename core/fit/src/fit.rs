@@ -30,7 +30,7 @@ mod check;
 mod fitted;
 
 use crate::estimate::{Estimate, FreeRatio};
-use crate::model::{Model, Prior, carried};
+use crate::model::{Model, Prior, propagated};
 use crate::sensitivity::LAUNCH_COLUMNS;
 use crate::sensors::{Measurement, Sensor};
 use crate::square_root::SquareRoot;
@@ -167,7 +167,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let refused = ParameterError::OutOfRange { parameter: "last", allowed };
         let (predicted, at) = solver.model.predicted(&last.launch, span).ok_or(refused)?;
         let rows = last.covariance.rows().map(|row| {
-            let mut row = carried(&at.tangents, &row);
+            let mut row = propagated(&at.tangents, &row);
             // the losses may be others now
             solver
                 .model

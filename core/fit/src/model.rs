@@ -2,7 +2,7 @@
 
 use crate::estimate::{Estimate, FreeRatio};
 use crate::sensitivity::{
-    COARSE_STEP, COLUMNS, Coefficients, Equations, LAUNCH_COLUMNS, LOSS_COUNT, PASS_STEP, Partials, RATIOS,
+    COLUMNS, Coefficients, Equations, FITTED_STEP, LAUNCH_COLUMNS, LOSS_COUNT, PASS_STEP, Partials, RATIOS,
     Sensitivity, Tangent, Trajectory, log_derivatives,
 };
 use crate::sensors::Sensor;
@@ -27,12 +27,12 @@ pub(crate) struct Prior<F> {
 /// Changes of the unknowns at a later time, from those at the launch.
 ///
 /// * `columns`: derivatives of the motion with respect to the unknowns; those that are left out are 0
-pub(crate) fn carried(columns: &[Tangent<f64>], change: &Unknowns) -> Unknowns {
+pub(crate) fn propagated(columns: &[Tangent<f64>], change: &Unknowns) -> Unknowns {
     let add = |sum: Tangent<f64>, (column, by): (&Tangent<f64>, &f64)| sum.plus(column, *by);
     let launch = columns.iter().zip(change).fold(Tangent::ZERO, add);
-    let mut carried = *change;
-    carried.iter_mut().zip(launch.components()).for_each(|(slot, x)| *slot = x);
-    carried
+    let mut propagated = *change;
+    propagated.iter_mut().zip(launch.components()).for_each(|(slot, x)| *slot = x);
+    propagated
 }
 
 /// Unknowns of a fit: the launch, the free ratios, the losses of rotation, and the biases.
@@ -125,7 +125,7 @@ impl Model {
 
     /// Losses of an estimate.
     pub(crate) fn losses_of(&self, estimate: &Estimate) -> [f64; LOSS_COUNT] {
-        let losses = estimate.other.get(self.free_count..).and_then(<[f64]>::first_chunk);
+        let losses = estimate.beyond_launch.get(self.free_count..).and_then(<[f64]>::first_chunk);
         losses.copied().filter(|_| self.has_losses()).unwrap_or([0.0; LOSS_COUNT])
     }
 
@@ -133,7 +133,7 @@ impl Model {
     pub(crate) fn equations(&self, estimate: &Estimate) -> Equations<f64> {
         let mut coefficients = Coefficients::new(&self.top);
         let by = self.free.map(|free| log_derivatives(self.top.support(), free.direction));
-        for (by, value) in by.iter().zip(estimate.other).take(self.free_count) {
+        for (by, value) in by.iter().zip(estimate.beyond_launch).take(self.free_count) {
             coefficients = coefficients.times(by.map(|by| libm::exp(by * value)));
         }
         let mut changes = by.map(|by| Coefficients { k_over_a: 0.0, ..coefficients.times(by) });
@@ -179,9 +179,9 @@ impl Model {
         equations: &Equations<f64>,
     ) -> Result<Sensitivity, ParameterError> {
         if self.has_losses() {
-            return Ok(Sensitivity::without_period(equations, &estimate.body_state(), COARSE_STEP));
+            return Ok(Sensitivity::without_period(equations, &estimate.body_state(), FITTED_STEP));
         }
-        Ok(Sensitivity::with_equations(&self.motion(estimate)?, equations, COARSE_STEP))
+        Ok(Sensitivity::with_equations(&self.motion(estimate)?, equations, FITTED_STEP))
     }
 
     /// Launch at a later time, with the derivatives there with respect to the unknowns.

@@ -29,9 +29,9 @@ use toytop::{Motion, Phase};
 pub(crate) use trajectory::Trajectory;
 
 /// Longest step, in rad of the highest frequency.
-const FINE_STEP: f64 = 0.02;
+const SENSITIVITY_STEP: f64 = 0.02;
 /// Longest step for a motion that was fitted, in the same unit. An error of 1e-9 has no effect there.
-pub(crate) const COARSE_STEP: f64 = 0.1;
+pub(crate) const FITTED_STEP: f64 = 0.1;
 /// Longest step of a pass over measurements, in the same unit. The error of the derivatives is below 2e-3 in `f32`.
 pub(crate) const PASS_STEP: f64 = 0.4;
 
@@ -82,7 +82,7 @@ impl Sensitivity {
     /// Sensitivity of a motion. It takes one integration over a nutation period; none where there is no period.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
-        Self::with_equations(motion, &Equations::new(motion.top()), FINE_STEP)
+        Self::with_equations(motion, &Equations::new(motion.top()), SENSITIVITY_STEP)
     }
 
     /// Sensitivity of a motion whose last four columns are the changes of these equations.

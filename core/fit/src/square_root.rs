@@ -100,7 +100,7 @@ impl<F: Real> SquareRoot<F> {
     }
 
     /// Sum |R x|² of the squares of `row` · x.
-    pub(crate) fn at(&self, x: &Unknowns<F>) -> F {
+    pub(crate) fn quadratic_form(&self, x: &Unknowns<F>) -> F {
         self.product(x).into_iter().fold(F::ZERO, |sum, x| sum + x.squared())
     }
 

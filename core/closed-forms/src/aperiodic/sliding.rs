@@ -8,6 +8,7 @@
 //! l = w₋₁/4 - w₋₁/(1 - e₄²) + ζ(a - ω₃) - p (ζ(a + b) - ζ(a - b))
 //! ```
 //!
+//! The values of w at u = 1 and at u = -1 are w₊₁ = 2i √((1 - e₁) A/(ps)) and w₋₁ = -√(2s/g) l/(ps), where l is the first integral.
 //! x runs from 0 along the negative imaginary axis to b, where L is infinite and u = 1. The paper prints the opposite
 //! sign of p, ζ(a + b) + ζ(a - b) in l, and ζ(ω₃) - ζ(b - ω₃) in t.
 //!
@@ -42,8 +43,8 @@ pub(super) struct Sliding {
 struct PathPosition {
     /// Coordinate y, with x = -iy.
     y: Extended,
-    /// Quotient (|b| - |y|)/(1 - u).
-    left_per_below: Extended,
+    /// Quotient (|b| - |y|)/(1 - u) of the distance from b.
+    distance_per_one_minus_u: Extended,
 }
 
 impl Sliding {
@@ -87,10 +88,19 @@ impl Sliding {
             (b_point, one),
         );
 
-        let of_log = -(a_over_ps / w_plus);
+        let log_coefficient = -(a_over_ps / w_plus);
         let zetas = lattice.log_slope(LatticeHalfPeriod::Sum, b_point).im;
-        let of_y = one + e1 / 3.0.into() - lattice.sigma_exponent.doubled() + of_log.doubled() * zetas;
-        Self { lowest, upright, b, time_scale, time_factors: [of_y, of_log], alpha, log_power }
+        let y_coefficient =
+            one + e1 / 3.0.into() - lattice.sigma_exponent.doubled() + log_coefficient.doubled() * zetas;
+        Self {
+            lowest,
+            upright,
+            b,
+            time_scale,
+            time_factors: [y_coefficient, log_coefficient],
+            alpha,
+            log_power,
+        }
     }
 
     /// Linear factors u - e₁, e₄ - u and e₄ + u of -R/4.
@@ -104,39 +114,40 @@ impl Sliding {
         let here = self.factors(point);
         let [above_e1, ..] = here;
         let y = first_kind(above_e1, here, self.lowest).halved();
-        let left_per_below = first_kind_per_length(self.upright, here);
-        PathPosition { y: point.with_sign_of_v(y), left_per_below }
+        let distance_per_one_minus_u = first_kind_per_length(self.upright, here);
+        PathPosition { y: point.with_sign_of_v(y), distance_per_one_minus_u }
     }
 
     /// |ϑ(x - b)|/|x - b|, and (x - b) ϑ'(x - b)/ϑ(x - b), at a distance from b.
-    fn near(&self, left: Extended) -> (Extended, WideComplex) {
+    fn near(&self, distance: Extended) -> (Extended, WideComplex) {
         // below this distance the theta function is linear to all digits
         const TINY: f64 = 1e-40;
-        let at =
-            |left: Extended| (self.alpha.lattice.theta(LatticeHalfPeriod::Origin, imaginary(left)), left);
-        let (theta, left) = at(if left.to_f64() < TINY { TINY.into() } else { left });
-        (theta.value.modulus() / left, theta.log_slope() * imaginary(left))
+        let at = |distance: Extended| {
+            (self.alpha.lattice.theta(LatticeHalfPeriod::Origin, imaginary(distance)), distance)
+        };
+        let (theta, distance) = at(if distance.to_f64() < TINY { TINY.into() } else { distance });
+        (theta.value.modulus() / distance, theta.log_slope() * imaginary(distance))
     }
 
     /// Logarithm L, and (1 - u) dL/dx, an even function of x.
     fn log(&self, point: &AperiodicValues, position: &PathPosition) -> (Extended, WideComplex) {
-        let &PathPosition { y, left_per_below } = position;
+        let &PathPosition { y, distance_per_one_minus_u } = position;
         let [one_minus_e1, ..] = self.upright;
-        let (near, near_slope) = self.near(left_per_below * point.one_minus_u);
+        let (near, near_slope) = self.near(distance_per_one_minus_u * point.one_minus_u);
         let far = self.alpha.lattice.theta(LatticeHalfPeriod::Origin, imaginary(-(y.abs() + self.b)));
-        let log_ratio = ln(left_per_below * near / far.value.modulus());
+        let log_ratio = ln(distance_per_one_minus_u * near / far.value.modulus());
         let log = ln(one_minus_e1) + point.ln_sech.doubled() + log_ratio;
         // (1 - u)/(x - b) · (x - b) ϑ'(x - b)/ϑ(x - b)
-        let slope = -near_slope.times_i().scaled(Extended::ONE / left_per_below)
+        let slope = -near_slope.times_i().scaled(Extended::ONE / distance_per_one_minus_u)
             - far.log_slope().scaled(point.one_minus_u);
         (point.with_sign_of_v(log), slope)
     }
 
     pub(super) fn time(&self, point: &AperiodicValues) -> Extended {
         let position = self.position(point);
-        let [of_y, of_log] = self.time_factors;
+        let [y_coefficient, log_coefficient] = self.time_factors;
         let zeta = self.alpha.lattice.log_slope(LatticeHalfPeriod::Sum, imaginary(-position.y)).im;
-        self.time_scale * (zeta + of_y * position.y + of_log * self.log(point, &position).0)
+        self.time_scale * (zeta + y_coefficient * position.y + log_coefficient * self.log(point, &position).0)
     }
 
     /// Argument of α minus that at u = e₁; 0 for e₁ = -1. The quotient of theta functions rotates by less than a right angle.

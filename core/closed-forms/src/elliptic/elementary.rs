@@ -1,7 +1,7 @@
 //! Elementary functions of real and of complex numbers in extended precision.
 //!
 //! The arguments are reduced to an interval around 0, where power series are used. Relative error: below 2e-30, also near the
-//! argument 0 of an odd function. The logarithm and the angle take one step of Newton's method from their `f64`
+//! argument 0 of an odd function; near the other zeros of a sine or cosine the error is absolute. The logarithm and the angle take one step of Newton's method from their `f64`
 //! values, which squares the relative error.
 
 use toytop::internal::rotate_quarter_turns;

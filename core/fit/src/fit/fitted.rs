@@ -5,7 +5,7 @@ use crate::fit::limits::SMALL_ANGLE_SINE;
 use crate::fit::solver::Solver;
 use crate::fit::statistics::Statistics;
 use crate::fit::warning::FitWarning;
-use crate::model::{Model, carried};
+use crate::model::{Model, propagated};
 use crate::sensitivity::{COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity};
 use crate::square_root::{MAX_UNKNOWNS, SquareRoot, inner};
 use crate::vector::{UP, Vector, add_all, add_scaled, cross, scaled};
@@ -208,7 +208,7 @@ impl Fitted {
         }
         let covariance = self.covariance_of(&rates_by);
         self.drift = Some(Drift { rates, covariance, losses: model.losses_of(&launch) });
-        self.covariance = self.covariance.rows().map(|row| carried(&at.tangents, &row)).collect();
+        self.covariance = self.covariance.rows().map(|row| propagated(&at.tangents, &row)).collect();
         (self.launch_time, self.launch) = (end, launch);
         Some(())
     }

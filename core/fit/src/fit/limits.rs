@@ -12,7 +12,7 @@ pub(super) const PART_FACTOR: usize = 4;
 pub(super) const GUESSES: u32 = 12;
 /// Angles between the axis and the vertical that are tried, rad.
 pub(super) const TILTS: [f64; 5] = [0.25, 0.75, 1.3, 2.0, 2.7];
-/// Least quotient of a rate beyond the range and a reading at its end. Bias and mounting may shift the reading.
+/// Least rate of a saturated axis over its reading. Bias and mounting may shift the reading, so that it is below 1.
 pub(super) const RANGE_FRACTION: f64 = 0.9;
 /// Difference of the sums of squares of two launches that chance explains: twice that between the best of 100 random spins and the true one.
 pub(super) const CHANCE_COST: f64 = 40.0;

@@ -48,7 +48,7 @@ impl<F: Real> Solver<'_, F> {
             if cost < best.1 - CHANCE_COST {
                 others = 0;
             } else if cost < best.1 + CHANCE_COST
-                && information.at(&change).to_f64() > GROSS_SIGMA * GROSS_SIGMA
+                && information.quadratic_form(&change).to_f64() > GROSS_SIGMA * GROSS_SIGMA
             {
                 others += 1;
             }

@@ -178,7 +178,7 @@ impl<'a, F: Real> Solver<'a, F> {
         let change = prior.estimate.change_from(estimate).map(F::from_f64);
         information.set_solution(&change);
         self.trajectory = self.model.trajectory(estimate);
-        prior.information.at(&change).to_f64()
+        prior.information.quadratic_form(&change).to_f64()
     }
 
     /// Best estimate after its correction, and the size of the correction in standard deviations. `None` where that is not finite.
@@ -186,7 +186,7 @@ impl<'a, F: Real> Solver<'a, F> {
     fn corrected(&mut self) -> Option<(Estimate, f64)> {
         let change = self.damped(self.damping).solution();
         let Pass { estimate, information, statistics } = &self.best;
-        let size = information.at(&change).sqrt().to_f64();
+        let size = information.quadratic_form(&change).sqrt().to_f64();
         let is_finite = size.is_finite() && statistics.cost.is_finite();
         is_finite.then(|| (estimate.corrected(&change.map(F::to_f64)), size))
     }

@@ -17,7 +17,7 @@ pub struct Statistics {
     /// Largest residual in standard deviations.
     pub largest: f64,
     /// Sum of the squares of the differences from prior values, such as the biases, in standard deviations.
-    pub prior: f64,
+    pub prior_squares: f64,
     /// Sum of squares in which an outlier counts linearly; infinite where the motion cannot be followed.
     pub(super) cost: f64,
     /// Number of outliers, in which one beyond ten standard deviations counts as four.
@@ -30,8 +30,8 @@ pub struct Statistics {
 
 impl Statistics {
     /// Statistics without residuals.
-    pub(super) fn new(huber: f64, prior: f64) -> Self {
-        Self { huber, prior, cost: prior, ..Self::default() }
+    pub(super) fn new(huber: f64, prior_squares: f64) -> Self {
+        Self { huber, prior_squares, cost: prior_squares, ..Self::default() }
     }
 
     /// Adds a residual in standard deviations; returns the square root of its weight.
@@ -78,7 +78,7 @@ impl Statistics {
         let limited = if self.outliers > 0 { self.huber * self.huber * outliers } else { 0.0 };
         let freedom = (f64::from(self.used) - outliers - unknowns as f64).max(1.0);
         self.contradicted
-            || self.prior > MAX_PRIOR
+            || self.prior_squares > MAX_PRIOR
             || self.weighted_outliers > self.used / OUTLIER_PART + FEW_OUTLIERS
             || self.chi_squared - limited > freedom + MISFIT_SIGMA * libm::sqrt(2.0 * freedom)
     }
