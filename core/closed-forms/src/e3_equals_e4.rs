@@ -13,12 +13,11 @@
 //! integrals. x increases along the imaginary axis, from u = e₂ at x = 0. The paper prints √R instead of 1/√R in a and b, ω₁
 //! instead of ω₂ in the shift, and the opposite direction of x.
 
-use crate::elliptic::carlson_rf;
-use crate::elliptic::elementary::{ValueAndSlope, imaginary, real, sine_cosine_of_phase};
+use crate::elliptic::elementary::{ValueAndSlope, imaginary, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::inverse::solve_increasing;
 use crate::orientation::{ArgumentOffsets, Periods};
-use crate::theta_quotient::{ThetaQuotient, zeros};
+use crate::theta_quotient::{ThetaQuotient, elliptic_integral, zeros};
 use toytop::internal::{branch_points, first_integrals, half_phase, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
@@ -87,9 +86,7 @@ impl E3EqualsE4 {
 
         // y(0) within half a period of u = e₂, from cos²χ = sn²(√(e₂ + e₃) y)
         let (_, remainder) = chi.split_half_turns();
-        let (sine, cosine) = sine_cosine_of_phase(remainder - Phase::QUARTER);
-        let middle = e1_plus_e3 + e.e2_minus_e1 * cosine.squared();
-        let start = sine * carlson_rf(e2_plus_e3 * cosine.squared(), middle, e2_plus_e3);
+        let start = elliptic_integral(remainder - Phase::QUARTER, [e2_plus_e3, e.e2_minus_e1, e1_plus_e3]);
 
         let linear = (e.e1 + e.e2 + e.e3.doubled()) / 3.0.into();
         let solution = Solution { time_scale, linear, alpha, beta };

@@ -10,14 +10,13 @@
 //!
 //! z increases along the real axis, from u = e₁ at z = 0.
 
-use crate::elliptic::carlson_rf;
-use crate::elliptic::elementary::{ValueAndSlope, imaginary, real, sine_cosine_of_phase};
+use crate::elliptic::elementary::{ValueAndSlope, imaginary, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods};
-use crate::theta_quotient::{ThetaQuotient, zeros};
+use crate::theta_quotient::{ThetaQuotient, elliptic_integral, zeros};
 use toytop::internal::{branch_points, half_phase, top_constants};
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::{AttitudeState, BranchPoints, Complex, Motion, Phase, Regime, Support};
+use toytop::{AttitudeState, Complex, Motion, Phase, Regime, Support};
 
 /// Nutating Lagrange top as a function of time.
 ///
@@ -80,7 +79,10 @@ impl Lagrange {
         let rotations = [alpha.rotation(-highest, whole), beta.rotation(lowest, whole)];
 
         let solution = Solution { z_rate, alpha, beta };
-        let origin = since_lowest(e, chi) / z_rate;
+        // z(0) within half a period of u = e₁
+        let (_, remainder) = chi.split_half_turns();
+        let angle = if remainder > Phase::QUARTER { remainder - Phase::HALF } else { remainder };
+        let origin = elliptic_integral(angle, [e.e3_minus_e1(), swing, gap]) / z_rate;
         let period = half.doubled() / z_rate;
         let arguments = ArgumentOffsets::new(motion, solution.parameters(origin));
         Some(Self { solution, periods: Periods { period, rotations, origin, arguments } })
@@ -103,16 +105,6 @@ impl Lagrange {
     pub fn nutation_phase(&self, t: f64) -> Phase {
         self.periods.phase(t)
     }
-}
-
-/// z(0) within half a period of u = e₁: the elliptic integral of χ.
-fn since_lowest(e: &BranchPoints<Extended>, chi: Phase) -> Extended {
-    let (_, remainder) = chi.split_half_turns();
-    let remainder = if remainder > Phase::QUARTER { remainder - Phase::HALF } else { remainder };
-    let (sine, cosine) = sine_cosine_of_phase(remainder);
-    let squared = cosine * cosine;
-    let length = e.e3_minus_e1();
-    sine * carlson_rf(length * squared, e.e3_minus_e2 + e.e2_minus_e1 * squared, length)
 }
 
 impl Solution {

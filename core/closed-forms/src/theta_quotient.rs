@@ -1,7 +1,9 @@
-//! Cayley-Klein parameters of the elliptic cases, as quotients of theta functions, and their zeros.
+//! Cayley-Klein parameters of the elliptic cases, as quotients of theta functions, their zeros, and the elliptic integral of χ.
 
-use crate::elliptic::agm::first_kind;
-use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, complex_exp, quotient};
+use crate::elliptic::agm::{carlson_rf, first_kind};
+use crate::elliptic::elementary::{
+    ValueAndSlope, WideComplex, angle, complex_exp, quotient, sine_cosine_of_phase,
+};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{BranchPoints, Phase, Signs};
@@ -49,6 +51,14 @@ impl ThetaQuotient {
         let ratio = self.at(x + period).value * self.at(x).value.conj();
         angle(ratio.im, ratio.re).radians_to_turns().to_phase()
     }
+}
+
+/// Elliptic integral x of an angle, up to a right angle: its sine is sn(√`length` x), where `length` = `swing` + `gap` and the modulus is
+/// √(`swing`/`length`).
+pub(crate) fn elliptic_integral(angle: Phase, [length, swing, gap]: [Extended; 3]) -> Extended {
+    let (sine, cosine) = sine_cosine_of_phase(angle);
+    let squared = cosine.squared();
+    sine * carlson_rf(length * squared, gap + swing * squared, length)
 }
 
 /// Distances of u = -1 from u = e₁ and of u = 1 from u = e₂ in the argument of ℘, with the signs of l + n and l - n: α and β are 0 there.
