@@ -9,8 +9,8 @@
 //! β = k₂ e^{-l₃x} σ(x + b)/σ(x + ω₂),   l₃ = w₊₁/(2(e₃ + 1)) + ζ(b - ω₂),   u(b) = 1
 //! ```
 //!
-//! The values of w at u = -1 and at u = 1 are w₋₁ = √(2s/g) (e₃ - 1)(l + n)/A and w₊₁ = √(2s/g) (e₃ + 1)(l - n)/A, where l and n are the first
-//! integrals. x increases along the imaginary axis, from u = e₂ at x = 0. The paper prints √R instead of 1/√R in a and b, ω₁
+//! The values of w at u = -1 and at u = 1 are w₋₁ = √(2s/g) (e₃ - 1)(l + n)/A and w₊₁ = √(2s/g) (e₃ + 1)(l - n)/A,
+//! where l and n are the first integrals. x increases along the imaginary axis, from u = e₂ at x = 0. The paper prints √R instead of 1/√R in a and b, ω₁
 //! instead of ω₂ in the shift, and the opposite direction of x.
 
 use crate::elliptic::elementary::{ValueAndSlope, imaginary, real};

@@ -48,7 +48,7 @@ pub use warning::FitWarning;
 ///
 /// The unknowns are the launch, the free ratios, and the constant biases of the sensors. The scalar `f32` suffices for sensors whose noise
 /// is at least 1e-4 of their readings; the fit then keeps 5.4 KB, whatever the number of measurements, and takes
-/// 13 KB of stack.
+/// 12 KB of stack.
 #[derive(Clone)]
 pub struct Fit<'a, F = f64> {
     solver: Solver<'a, F>,
@@ -140,7 +140,7 @@ impl<'a, F: Real> Fit<'a, F> {
         Ok(Fitted::new(solver, block.times, warning, 0))
     }
 
-    /// Fits the next block of measurements from the fit of the last one, carried to it with its covariance.
+    /// Fits the next block of measurements from the fit of the last one, which is propagated to it with its covariance.
     ///
     /// * `drift_deviation`: uncertainty that is added to ω between blocks, as a part of |ω| per unit time: 1/60 /s for a spin that may stop in
     ///   a minute

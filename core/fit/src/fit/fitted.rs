@@ -96,7 +96,7 @@ impl Fitted {
         let rows = solver.damped(0.0).inverse_rows();
         fitted.covariance = rows.map(|row| row.map(F::to_f64)).collect();
         fitted.unobservable = unobservable(&fitted);
-        if fitted.model.has_losses() && fitted.carry_to(last).is_none() {
+        if fitted.model.has_losses() && fitted.propagate_to(last).is_none() {
             fitted.warning = fitted.warning.or(Some(FitWarning::NotConverged));
         }
         fitted
@@ -189,7 +189,7 @@ impl Fitted {
     ///
     /// [`Fitted::motion`] goes on from there without losses: see [partials](crate::partials).
     #[inline(never)] // stack
-    fn carry_to(&mut self, end: f64) -> Option<()> {
+    fn propagate_to(&mut self, end: f64) -> Option<()> {
         let model = &self.model;
         let span = end - self.launch_time;
         let (launch, at) = model.predicted(&self.launch, span)?;
