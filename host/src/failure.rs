@@ -2,40 +2,53 @@
 
 use std::fmt;
 use std::io;
+use toytop::ParameterError;
 
 /// Reason why a command has no result, which is displayed as one line.
 #[derive(Clone, Debug)]
 pub struct Failure {
-    exit_code: u8,
+    /// Kind, which determines the exit code.
+    pub kind: FailureKind,
     /// Names of what the reason is about, from the outside in: an option or a file, a line or a key.
-    pub path: Vec<String>,
+    path: Vec<String>,
     /// Reason, with the allowed values.
     pub reason: String,
 }
 
+/// Kind of a failure. Its number is the exit code of the process.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FailureKind {
+    /// A result cannot be written, or another program is missing or failed.
+    System = 1,
+    /// The input is not allowed.
+    Input = 2,
+    /// The method does not apply to this motion.
+    Method = 3,
+}
+
 impl Failure {
-    fn new(exit_code: u8, reason: impl Into<String>) -> Self {
-        Self { exit_code, path: Vec::new(), reason: reason.into() }
+    fn new(kind: FailureKind, reason: impl Into<String>) -> Self {
+        Self { kind, path: Vec::new(), reason: reason.into() }
     }
 
     /// Bad input; the reason states the allowed values. Exit code 2.
     pub fn input(reason: impl Into<String>) -> Self {
-        Self::new(2, reason)
+        Self::new(FailureKind::Input, reason)
     }
 
     /// Method that does not apply to this motion, with the reason. Exit code 3.
     pub fn method(reason: impl Into<String>) -> Self {
-        Self::new(3, reason)
+        Self::new(FailureKind::Method, reason)
     }
 
     /// Result that cannot be written. Exit code 1.
     pub fn output(error: io::Error) -> Self {
-        Self::new(1, format!("cannot write the output: {error}"))
+        Self::new(FailureKind::System, format!("cannot write the output: {error}"))
     }
 
     /// Other program, such as cargo or QEMU, that is missing or failed. Exit code 1.
     pub fn tool(reason: impl Into<String>) -> Self {
-        Self::new(1, reason)
+        Self::new(FailureKind::System, reason)
     }
 
     /// Failure whose message begins with the name of an option, a file, a motion or a key.
@@ -44,16 +57,37 @@ impl Failure {
         self
     }
 
-    /// Exit code of the process.
-    pub fn exit_code(&self) -> u8 {
-        self.exit_code
+    /// Failure whose first name, that of a key, follows the name of the key's table.
+    pub fn in_table(mut self, table: &str) -> Self {
+        if let Some(key) = self.path.first_mut() {
+            *key = format!("{table}.{key}");
+        }
+        self
+    }
+
+    /// First name of the message; empty where it has none.
+    pub fn name(&self) -> &str {
+        self.path.first().map_or("", |name| name)
+    }
+
+    /// Failure whose first name is replaced where it is one of these: (old name, new name).
+    pub fn renamed<O: AsRef<str>, N: Into<String>>(
+        mut self,
+        names: impl IntoIterator<Item = (O, N)>,
+    ) -> Self {
+        if let Some(name) = self.path.first_mut()
+            && let Some((_, new)) = names.into_iter().find(|(old, _)| old.as_ref() == name)
+        {
+            *name = new.into();
+        }
+        self
     }
 }
 
-/// Bad input for this reason.
-impl From<String> for Failure {
-    fn from(reason: String) -> Self {
-        Self::input(reason)
+/// Bad input: a parameter that core refuses.
+impl From<ParameterError> for Failure {
+    fn from(error: ParameterError) -> Self {
+        Self::input(format!("must be {}", error.allowed())).at(error.parameter())
     }
 }
 

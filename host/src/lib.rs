@@ -33,4 +33,4 @@ pub mod score;
 
 pub mod pictures;
 
-pub use failure::{Failure, excerpt};
+pub use failure::{Failure, FailureKind, excerpt};

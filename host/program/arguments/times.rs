@@ -58,7 +58,8 @@ impl Times {
             TimesArgs { times_file: Some(path), .. } => Self::read_file(path),
             TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
             TimesArgs { from: Some(from), to: Some(to), count, .. } => {
-                let values = Values::range([*from, *to], false, *count, ["--from", "--to", "--count"])?;
+                let values = Values::range([*from, *to], false, *count, ["--from", "--to", "--count"]);
+                let values = values.map_err(Failure::input)?;
                 Self::new("--from, --to, --count".to_owned(), &values)
             }
             _ => Err(Failure::input("must have --times, --times-file, --ticks or --from")),
@@ -139,7 +140,7 @@ mod tests {
     #[test]
     fn far_times_and_open_ranges_are_refused() {
         let times = |text: &str| {
-            let values = counted_values(text)?;
+            let values = counted_values(text).map_err(Failure::input)?;
             Times::new("--times".to_owned(), &values)
         };
         let far = times("-3..1/5").unwrap();

@@ -14,7 +14,7 @@ pub fn run(command: Command, execute: impl FnOnce(&ArgMatches) -> Result<Report,
         Err(failure) => {
             // if stderr is closed, the message cannot be shown
             let _ = writeln!(io::stderr(), "error: {failure}");
-            ExitCode::from(failure.exit_code())
+            ExitCode::from(failure.kind as u8)
         }
     }
 }

@@ -7,29 +7,26 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt};
 use std::fmt::Display;
 use toytop::ParameterError;
-use toytop_host::{Failure, input};
-
-/// Exception for a parameter that core refuses.
-pub(crate) fn parameter_error(error: ParameterError) -> PyErr {
-    renamed(error, &[])
-}
-
-/// Exception for a parameter that core refuses; `names` lists the parameters with another name here.
-pub(crate) fn renamed(error: ParameterError, names: &[(&str, &str)]) -> PyErr {
-    let parameter = error.parameter();
-    let name = names.iter().find(|(core, _)| *core == parameter).map_or(parameter, |(_, name)| name);
-    value_error(name, format!("must be {}", error.allowed()))
-}
+use toytop_host::{Failure, FailureKind, input};
 
 /// Exception for a parameter and the reason.
 pub(crate) fn value_error(parameter: &str, reason: impl Display) -> PyErr {
     failed(Failure::input(reason.to_string()).at(parameter))
 }
 
-/// Exception for a failure of the host library.
-pub(crate) fn failed(failure: Failure) -> PyErr {
+/// Exception for a failure of the host library, or for a parameter that core refuses.
+pub(crate) fn failed(failure: impl Into<Failure>) -> PyErr {
+    let failure = failure.into();
     let message = failure.to_string();
-    if failure.exit_code() == 1 { PyOSError::new_err(message) } else { PyValueError::new_err(message) }
+    match failure.kind {
+        FailureKind::System => PyOSError::new_err(message),
+        FailureKind::Input | FailureKind::Method => PyValueError::new_err(message),
+    }
+}
+
+/// Exception for a parameter that core refuses; `names` lists those with another name here.
+pub(crate) fn renamed(error: ParameterError, names: &[(&str, &str)]) -> PyErr {
+    failed(Failure::from(error).renamed(names.iter().copied()))
 }
 
 /// Array of numbers for Python.

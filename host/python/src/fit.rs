@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict, PyString};
 use pythonize::{depythonize, pythonize};
 use toytop_fit::{Drift, Measurement};
+use toytop_host::Failure;
 use toytop_host::fit::columns::Columns;
 use toytop_host::fit::result::{FitInput, FitResult, fit_launch};
 use toytop_host::fit::sensors::{Sensors, centre_of_mass};
@@ -58,7 +59,7 @@ pub(crate) fn fit<'py>(
     let (report, residuals) = interrupt::interruptible(py, move || {
         let report = fit_launch(input, &readings)?;
         let residuals = report.residuals(&readings);
-        Ok((report, residuals))
+        Ok::<_, Failure>((report, residuals))
     })?
     .map_err(failed)?;
     let mut by_column = Columns { t: given.t, readings: Vec::new() };
@@ -129,7 +130,7 @@ fn sensors(given: Option<&(String, Bound<'_, PyAny>)>, top: &TopCore) -> PyResul
         None => Ok(Sensors::telephone(com)),
         Some((file, given)) => match given.extract::<String>() {
             Ok(text) => Sensors::parse(file, &text, com),
-            Err(_) => Sensors::from_table(file, &depythonize(given)?, com),
+            Err(_) => Sensors::from_tables(&depythonize(given)?, com).map_err(|failure| failure.at(file)),
         }
         .map_err(failed),
     }

@@ -1,6 +1,6 @@
 //! Launches of a top.
 
-use crate::arguments::{parameter_error, renamed, value_error};
+use crate::arguments::{failed, renamed, value_error};
 use crate::motion::MotionCore;
 use crate::top::TopCore;
 use pyo3::prelude::*;
@@ -21,7 +21,7 @@ impl TopCore {
         roll: f64,
     ) -> PyResult<MotionCore> {
         let release = Release { tilt, azimuth, roll, spin, precession, nutation };
-        let state = State::from_release(&release).map_err(parameter_error)?;
+        let state = State::from_release(&release).map_err(failed)?;
         MotionCore::from_state(self, &state, fastest_rate(&release))
     }
 

@@ -1,6 +1,6 @@
 //! Numbers of a top.
 
-use crate::arguments::{parameter_error, value_error};
+use crate::arguments::{failed, value_error};
 use pyo3::prelude::*;
 use std::iter::once;
 use toml::{Table, Value};
@@ -41,7 +41,7 @@ impl TopCore {
         };
         let support = support_named(support)
             .ok_or_else(|| value_error("support", "must be 'sliding', 'fixed' or 'free'"))?;
-        Ok(Self { parameters, top: parameters::top(support, &parameters).map_err(parameter_error)? })
+        Ok(Self { parameters, top: parameters::top(support, &parameters).map_err(failed)? })
     }
 
     /// Support of the tip.

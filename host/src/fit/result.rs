@@ -240,7 +240,7 @@ impl FitResult {
     /// # Errors
     /// [`Failure::input`]: no top has the fitted numbers.
     pub fn scenario(&self, units: Option<&str>) -> Result<String, Failure> {
-        let refuse = |error: ParameterError| Failure::input(format!("the fitted top: {error}"));
+        let refuse = |error| Failure::from(error).at("the fitted top");
         self.fitted.motion().map_err(refuse)?;
         let state = self.fitted.state().map_err(refuse)?;
         let mut text = format!(

@@ -181,21 +181,20 @@ impl Sensors {
     /// # Errors
     /// [`Failure::input`]: no TOML, or a key is unknown, missing or out of range.
     pub fn parse(file: &str, text: &str, com: [f64; 3]) -> Result<Self, Failure> {
-        Self::from_table(file, &section::parse(file, text)?, com)
+        Self::from_tables(&section::parse(file, text)?, com).map_err(|failure| failure.at(file))
     }
 
-    /// Sensors of a parsed file; `file` is its name in messages.
+    /// Sensors of the tables of a file.
     ///
     /// # Errors
     /// [`Failure::input`]: a key is unknown, missing or out of range.
-    pub fn from_table(file: &str, table: &Table, com: [f64; 3]) -> Result<Self, Failure> {
-        let refuse = |reason: String| Err(Failure::input(reason).at(file));
+    pub fn from_tables(tables: &Table, com: [f64; 3]) -> Result<Self, Failure> {
         let mut sensors = Self { models: Vec::new(), jitter: 0.0, dropped: 0.0 };
-        for (name, value) in table {
+        for (name, value) in tables {
             let Value::Table(table) = value else {
-                return refuse(format!("{}: must be a table", excerpt(name)));
+                return Err(Failure::input("must be a table").at(excerpt(name)));
             };
-            let section = Section { file, name, table };
+            let section = Section { name, table };
             match SensorKind::ALL.into_iter().find(|kind| kind.name() == name) {
                 Some(kind) => sensors.models.push(read_model(&section, kind, com)?),
                 None if name == "timing" => {
@@ -203,12 +202,13 @@ impl Sensors {
                 }
                 None => {
                     let allowed = SensorKind::ALL.map(SensorKind::name).join(", ");
-                    return refuse(format!("{}: unknown sensor; allowed: timing, {allowed}", excerpt(name)));
+                    let reason = format!("unknown sensor; allowed: timing, {allowed}");
+                    return Err(Failure::input(reason).at(excerpt(name)));
                 }
             }
         }
         if !(1..=4).contains(&sensors.models.len()) {
-            return refuse("must have one to four sensors".to_owned());
+            return Err(Failure::input("must have one to four sensors"));
         }
         // in the order of the columns, in any order of the file
         sensors.models.sort_by_key(|model| model.kind as u8);

@@ -106,7 +106,7 @@ impl ScenarioFile {
         for (name, value) in &mut table {
             let Value::Table(table) = value else { continue };
             let replaced = replace_units(table, has_units).and_then(|()| replace_angles(table));
-            replaced.map_err(|(key, reason)| Section { file, name, table }.failure(key, reason))?;
+            replaced.map_err(|(key, reason)| Section { name, table }.failure(key, reason).at(file))?;
         }
         Ok(Self { file: file.to_owned(), name: file.to_owned(), table })
     }
@@ -116,7 +116,8 @@ impl ScenarioFile {
     /// # Errors
     /// [`Failure::input`]: not a table `[top]` with exactly the keys it needs, in range.
     pub fn top(&self) -> Result<(Top, TopParameters), Failure> {
-        top::read(&self.section("top")?)
+        let top = self.section("top").and_then(|section| top::read(&section));
+        top.map_err(|failure| failure.at(&self.file))
     }
 
     /// Scenario.
@@ -124,16 +125,20 @@ impl ScenarioFile {
     /// # Errors
     /// [`Failure::input`]: not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
     pub fn scenario(&self) -> Result<Scenario, Failure> {
-        let refuse = |reason: String| Failure::input(reason).at(&self.file);
+        self.scenario_of_this_file().map_err(|failure| failure.at(&self.file))
+    }
+
+    /// Scenario; the failures do not name the file.
+    fn scenario_of_this_file(&self) -> Result<Scenario, Failure> {
         if let Some(key) = self.table.keys().find(|key| !["units", "top", "motion"].contains(&key.as_str())) {
-            return Err(refuse(format!("{}: unknown key; allowed: units, top, motion", excerpt(key))));
+            return Err(Failure::input("unknown key; allowed: units, top, motion").at(excerpt(key)));
         }
         let units = match self.table.get("units").map(Value::as_str) {
             None | Some(Some("SI")) => Units::Si,
             Some(Some("none")) => Units::Unnamed,
-            _ => return Err(refuse("units: must be one of \"SI\", \"none\"".to_owned())),
+            _ => return Err(Failure::input("must be one of \"SI\", \"none\"").at("units")),
         };
-        let (top, parameters) = self.top()?;
+        let (top, parameters) = top::read(&self.section("top")?)?;
         let (motion, launch) = motion::read(&self.section("motion")?, &top)?;
         let input = MotionInput { support: top.support(), top: parameters, launch };
         Ok(Scenario { name: self.name.clone(), motion: TimedMotion::new(motion), input, units })
@@ -141,11 +146,11 @@ impl ScenarioFile {
 
     fn section(&self, name: &'static str) -> Result<Section<'_>, Failure> {
         let missing = match self.table.get(name) {
-            Some(Value::Table(table)) => return Ok(Section { file: &self.file, name, table }),
+            Some(Value::Table(table)) => return Ok(Section { name, table }),
             Some(_) => "",
             None => "missing; ",
         };
-        Err(Failure::input(format!("{name}: {missing}must be a table, [{name}]")).at(&self.file))
+        Err(Failure::input(format!("{missing}must be a table, [{name}]")).at(name))
     }
 
     /// Key of the scenario's number with this name.
@@ -169,17 +174,26 @@ impl ScenarioFile {
     /// Scenario in which these numbers replace numbers of the file.
     ///
     /// # Errors
-    /// As [`ScenarioFile::scenario`].
+    /// As [`ScenarioFile::scenario`], without the name of the file in front.
     pub fn with_numbers(&self, numbers: &[(&'static str, f64)]) -> Result<Scenario, Failure> {
         let mut changed = self.clone();
         for (name, number) in numbers {
-            let of_top = top::KEYS.iter().any(|key| key.name == *name);
-            if let Some(Value::Table(table)) = changed.table.get_mut(if of_top { "top" } else { "motion" }) {
+            if let Some(Value::Table(table)) = changed.table.get_mut(table_of(name)) {
                 table.insert((*name).to_owned(), Value::Float(*number));
             }
         }
-        changed.scenario()
+        changed.scenario_of_this_file()
     }
+}
+
+/// Name of the table that has the number with this key.
+fn table_of(key: &str) -> &'static str {
+    if top::KEYS.iter().any(|of_top| of_top.name == key) { "top" } else { "motion" }
+}
+
+/// Name of a number in a failure: its table and its key.
+pub fn full_name(key: &str) -> String {
+    format!("{}.{key}", table_of(key))
 }
 
 /// Text of a scenario file, from the keys and values of its top and from a launch.

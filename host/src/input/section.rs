@@ -52,7 +52,6 @@ pub fn parse(file: &str, text: &str) -> Result<Table, Failure> {
 /// Table of a file.
 #[derive(Clone, Copy)]
 pub struct Section<'a> {
-    pub file: &'a str,
     pub name: &'a str,
     pub table: &'a Table,
 }
@@ -60,17 +59,12 @@ pub struct Section<'a> {
 impl Section<'_> {
     /// Failure that names a key and the reason.
     pub fn failure(&self, key: &str, reason: impl Into<String>) -> Failure {
-        Failure::input(reason).at(format!("{}.{}", excerpt(self.name), excerpt(key))).at(self.file)
+        Failure::input(reason).at(excerpt(key)).in_table(&excerpt(self.name))
     }
 
     /// Failure that names the key of the core's error.
-    pub fn refusal(&self, error: &ParameterError) -> Failure {
-        let key = match error.parameter() {
-            "theta" => "nutation_phase",
-            "top" => "kind",
-            key => key,
-        };
-        self.failure(key, format!("must be {}", error.allowed()))
+    pub fn refusal(&self, error: ParameterError) -> Failure {
+        Failure::from(error).renamed([("theta", "nutation_phase"), ("top", "kind")]).in_table(self.name)
     }
 
     /// Refuses all keys except `names` and the key of `choice`.

@@ -145,8 +145,7 @@ fn input_of(scenario: &Scenario) -> Option<MotionInput> {
 
 /// Errors of each scalar on a motion, by octave.
 fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<Errors>>, Failure> {
-    let motion =
-        input.motion().map_err(|error| Failure::input(error.to_string()).at(format!("{input:?}")))?;
+    let motion = input.motion().map_err(|error| Failure::from(error).at(format!("{input:?}")))?;
     let evaluators =
         scalars.iter().map(|&scalar| MotionEvaluator::new(&motion, scalar)).collect::<Result<Vec<_>, _>>()?;
     let truth = Quadrature::new(input);

@@ -19,10 +19,10 @@ use fixed::types::{I2F14, I2F30};
 use rust::module;
 use std::path::PathBuf;
 use toytop::{ErrorBound, Table, TableScalar, TableSettings, Tick};
-use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::evaluator::{HeapTable, SEGMENTS};
+use toytop_host::{Failure, FailureKind};
 
 /// Table of a motion as a constant for firmware: Rust or C
 ///
@@ -67,7 +67,7 @@ pub fn run(arguments: &BakeArgs) -> Result<Report, Failure> {
     whole_file::require_other("--output", arguments.output.as_deref(), &[Some(&arguments.scenario)])?;
     let scenario = Scenario::read(&arguments.scenario)?;
     let [ticks, seconds] = arguments.hertz;
-    let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::input(format!("--hertz: {error}")))?;
+    let tick = Tick::ratio(ticks, seconds).map_err(|error| Failure::from(error).at("--hertz"))?;
     let title = TableTitle {
         name: arguments.name.clone().unwrap_or_else(|| scenario.name.clone()),
         tick: if seconds == 1 { format!("{ticks} Hz") } else { format!("{ticks}/{seconds} Hz") },
@@ -96,10 +96,9 @@ fn baked<R: TableScalar<Coefficient: Into<f64>>>(
     crc32: fn(&Table<R>) -> u32,
 ) -> Result<[String; 2], Failure> {
     let segments = arguments.segments.map_or(least..=*SEGMENTS.end(), |segments| segments..=segments);
-    // exit code 2: no table has this number of segments; 3: no table of the motion
     let table = HeapTable::new(&scenario.motion, &TableSettings::new(tick), segments).map_err(|failure| {
-        let is_input = failure.exit_code() == 2;
-        failure.at(if is_input { "--segments" } else { &scenario.name })
+        let no_such_size = failure.kind == FailureKind::Input;
+        failure.at(if no_such_size { "--segments" } else { &scenario.name })
     })?;
     let table = table.table();
     let text = match arguments.lang {

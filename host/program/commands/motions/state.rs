@@ -166,7 +166,7 @@ fn table_sampler(
     let (mut settings, in_ticks) = (TableSettings::new(motion.tick()), !times.ticks.is_empty());
     if in_ticks {
         let tick = Tick::ratio(rate[0], rate[1]);
-        settings.tick = tick.map_err(|error| Failure::input(format!("--hertz: {error}")))?;
+        settings.tick = tick.map_err(|error| Failure::from(error).at("--hertz"))?;
     }
     let evaluator = MotionEvaluator::with_settings(motion, scalar, &settings).map_err(named)?;
     // every tick of 64 bits is in reach of a table

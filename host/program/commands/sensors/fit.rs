@@ -77,20 +77,13 @@ pub fn run(arguments: &FitArgs) -> Result<Report, Failure> {
     let (measurements, unused) = columns::read(samples, &mut sensors, all)?;
     let table = scenario.table.get("top").and_then(toml::Value::as_table).cloned().unwrap_or_default();
     let input = FitInput { top, table, free: free.clone(), sensors, huber: *huber, drift: *drift };
-    let samples = samples.display();
+    let samples = samples.display().to_string();
     let fit = fit_launch(input, &measurements).map_err(|mut failure| {
-        if failure.path.is_empty() {
-            return failure;
+        if failure.name() == "free" {
+            failure.reason += &format!(" ({})", scenario.file);
         }
-        let name = failure.path.remove(0);
-        match &*name {
-            "samples" => failure.at(samples.to_string()),
-            "free" => {
-                failure.reason += &format!(" ({})", scenario.file);
-                failure.at("--free")
-            }
-            _ => failure.at(format!("--{name}")),
-        }
+        let options = [("free", "--free"), ("huber", "--huber"), ("drift", "--drift")];
+        failure.renamed(options.into_iter().chain([("samples", &*samples)]))
     })?;
     let converged = fit.fitted.is_trusted();
     let mut notes = Vec::new();

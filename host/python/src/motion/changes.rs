@@ -1,6 +1,6 @@
 //! A motion changes with its launch, its top and impulses: partial derivatives, and struck motions.
 
-use crate::arguments::{Array, NumericArg, array, parameter_error, value_error};
+use crate::arguments::{Array, NumericArg, array, failed, value_error};
 use crate::interrupt;
 use crate::motion::MotionCore;
 use pyo3::prelude::*;
@@ -35,10 +35,8 @@ impl MotionCore {
 
     /// Motion after an impulse at time t.
     fn with_impulse(&self, impulse: [f64; 3], point: [f64; 3], t: f64) -> PyResult<Self> {
-        let struck = self
-            .state(t)?
-            .with_impulse(&self.top.top, &PointImpulse { impulse, point })
-            .map_err(parameter_error)?;
+        let struck =
+            self.state(t)?.with_impulse(&self.top.top, &PointImpulse { impulse, point }).map_err(failed)?;
         Self::from_state(&self.top, &struck, "impulse")
     }
 
@@ -53,7 +51,7 @@ impl MotionCore {
         let reaction = self
             .state(t)?
             .reaction_impulse(&self.top.top, &PointImpulse { impulse, point })
-            .map_err(parameter_error)?;
+            .map_err(failed)?;
         array(py, reaction.to_vec(), &[3])
     }
 }
@@ -80,6 +78,6 @@ impl MotionCore {
                 (now.pose.orientation, now.rates.omega)
             }
         };
-        State::new(orientation, omega).map_err(parameter_error)
+        State::new(orientation, omega).map_err(failed)
     }
 }

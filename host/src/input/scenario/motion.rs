@@ -61,7 +61,7 @@ pub fn fastest_rate(release: &Release) -> &'static str {
 
 /// Motion, and its launch.
 pub fn read(section: &Section<'_>, top: &Top) -> Result<(Motion, Launch), Failure> {
-    let refused = |error| section.refusal(&error);
+    let refused = |error| section.refusal(error);
     let (name, kind) = section.choice("kind", &KINDS, None)?;
     let choice = Some(("kind", name));
     let (numbers, fastest) = match kind {

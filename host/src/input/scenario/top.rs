@@ -24,7 +24,7 @@ pub static KEYS: [Key; 7] = [
 pub fn read(section: &Section<'_>) -> Result<(Top, TopParameters), Failure> {
     let (name, support) = section.choice("support", &SUPPORTS, Some(SUPPORTS[0]))?;
     let parameters = top_parameters(section.only_numbers(Some(("support", name)), &KEYS)?);
-    let refused = |error| section.refusal(&error);
+    let refused = |error| section.refusal(error);
     // of a free body the other keys are allowed and have no effect
     if support == Support::Free {
         let TopParameters { transverse_inertia, axial_inertia, rotor_momentum, .. } = parameters;

@@ -7,7 +7,7 @@ use crate::arguments::values::Values;
 use serde_json::Value;
 use toytop_host::Failure;
 use toytop_host::input::random::Random;
-use toytop_host::input::scenario::ScenarioFile;
+use toytop_host::input::scenario::{ScenarioFile, full_name};
 use toytop_host::output::{csv_line, significant};
 use toytop_model::timed_motion::TimedMotion;
 
@@ -70,8 +70,8 @@ impl Sweep {
         // a file that is no scenario may lack only numbers that vary
         let first = |_| sweep.template.with_numbers(&sweep.numbers(0));
         match sweep.template.scenario().or_else(first) {
-            Err(failure) if !sweep.varied.iter().any(|(key, _)| key_of(&failure) == Some(key)) => {
-                Err(failure)
+            Err(failure) if !sweep.varied.iter().any(|(key, _)| full_name(key) == failure.name()) => {
+                Err(failure.at(&sweep.template.file))
             }
             _ => Ok(sweep),
         }
@@ -118,19 +118,9 @@ impl Sweep {
     /// Reason why the scenario refuses the numbers of a row, beginning with the key, and with its value if it varies.
     pub fn refusal(&self, index: u64) -> Option<String> {
         let numbers = self.numbers(index);
-        let mut failure = self.motion(&numbers).err()?;
-        let varied = numbers.iter().find(|(varied, _)| key_of(&failure) == Some(varied));
-        failure.path = match varied {
-            Some((key, number)) => vec![format!("{key} = {}", significant(*number, 5))],
-            // the file is the same in all rows
-            None => failure.path.split_off(1),
-        };
-        Some(failure.to_string())
+        let failure = self.motion(&numbers).err()?;
+        let with_value =
+            |(key, number): &(&str, f64)| (full_name(key), format!("{key} = {}", significant(*number, 5)));
+        Some(failure.renamed(numbers.iter().map(with_value)).to_string())
     }
-}
-
-/// Key of the scenario file that a failure is about.
-fn key_of(failure: &Failure) -> Option<&str> {
-    let [_, key] = &failure.path[..] else { return None };
-    key.split_once('.').map(|(_, key)| key)
 }
