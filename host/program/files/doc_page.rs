@@ -1,4 +1,7 @@
-//! Part of a page that a command writes with `--accept`, between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`.
+//! Generated part of a page, between the lines `<!-- toytop COMMAND: NAME -->` and `<!-- end of NAME -->`.
+//!
+//! A part that takes long is written by its command with `--accept`. Any other is compared by a unit test, which writes it if the
+//! environment variable `TOYTOP_ACCEPT` is set.
 
 use super::whole_file;
 use std::path::PathBuf;

@@ -69,11 +69,11 @@ struct Errata {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::files::doc_page::DocPage;
 
     #[test]
     fn the_page_has_the_table() {
-        let page = include_str!("../../../../core/closed-forms/docs/errata.md");
-        let table = table(&document().errata);
-        assert!(page.contains(&format!("```text\n{table}```\n")), "the page needs\n{table}");
+        let table = format!("```text\n{}```\n", table(&document().errata));
+        DocPage::assert_current("core/closed-forms/docs/errata.md", "toytop errata: errors", &table);
     }
 }
