@@ -16,8 +16,9 @@ use anyhow::{Result, bail};
 const USAGE: &str = "\
 usage: cargo xtask VERB
 
-  test [--all] [--only STEP]   runs the checks before every change, or every test, or one step; installs missing tools by rustup, apt-get or
-                               cargo. A step whose tools cannot be installed fails
+  test [--all] [--only STEP]   runs the checks before every change, or every test, or one step; with --all on every chip, and the release
+                               build of the Python package. Installs missing tools by rustup, apt-get or cargo. A step whose tools cannot
+                               be installed fails
   test --list                  lists the steps
   size                         prints the tokens of Rust by room, and fails where one is above its cap
   firmware NAME [--chip CHIP]  runs a program under QEMU and shows its log
@@ -40,9 +41,10 @@ fn main() -> ExitCode {
 
 fn run(words: &[&str]) -> Result<ExitCode> {
     match words {
-        ["test"] => return steps::run(|step| step.every_change),
-        ["test", "--all"] => return steps::run(|_| true),
-        ["test", "--only", name] => return steps::run_one(name),
+        ["test"] => return steps::run(false, None),
+        ["test", "--all"] => return steps::run(true, None),
+        ["test", "--only", name] => return steps::run(false, Some(name)),
+        ["test", "--all", "--only", name] => return steps::run(true, Some(name)),
         ["test", "--list"] => steps::list(),
         ["size"] => print!("{}", size::check()?),
         ["firmware", "--list"] => firmware::list(),
