@@ -88,7 +88,7 @@ fn fields<'py>(py: Python<'py>, report: &FitResult, residuals: Columns) -> PyRes
     };
     let [_, tilt] = report.spin_and_tilt();
     let fields = pythonize(py, &FitSummary::new(report))?.cast_into::<PyDict>()?;
-    fields.set_item("core", FittedLaunch(core))?;
+    fields.set_item("_core", FittedLaunch(core))?;
     fields.set_item("launched", launched)?;
     fields.set_item("loss_names", Drift::LOSS_NAMES)?;
     fields.set_item("tilt", (tilt.value, tilt.deviation))?;

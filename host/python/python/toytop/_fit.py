@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeAlias, final
 
@@ -60,15 +60,11 @@ def fit(
     covariance = np.array(found["covariance"])
     deviations = np.sqrt(covariance.diagonal())
     of_losses = deviations[6 + len(found["free"]) :].tolist()
-    return Fitted(
-        _core=found["core"],
+    found.update(
         _launched=launched if isinstance(launched, str) else Motion(launched),
-        reason=found["reason"],
-        epoch=found["epoch"],
         quaternion=np.array(found["quaternion"]),
         omega=np.array(found["omega"]),
         spin=(found["spin"], found["spin_deviation"]),
-        tilt=found["tilt"],
         covariance=covariance,
         deviations=deviations,
         drift=drifted and (np.array(drifted["rates"]), np.array(drifted["deviation"])),
@@ -77,15 +73,8 @@ def fit(
         biases={
             name: (np.array(one["value"]), np.array(one["deviation"])) for name, one in found["biases"].items()
         },
-        undetermined=found["undetermined"],
-        alternatives=found["alternatives"],
-        chi_squared=found["chi_squared"],
-        reduced_chi_squared=found["reduced_chi_squared"],
-        used=found["used"],
-        saturated=found["saturated"],
-        outliers=found["outliers"],
-        residuals=found["residuals"],
     )
+    return Fitted(**{field.name: found[field.name] for field in fields(Fitted)})
 
 
 def simulate(
