@@ -15,7 +15,6 @@ mod motions {
 /// Drawings, films and pages of a motion.
 mod pictures {
     pub mod animate;
-    pub mod drawing;
     pub mod plot;
     pub mod view;
 }

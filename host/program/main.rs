@@ -3,6 +3,7 @@
 //! | module | contents |
 //! |---|---|
 //! | `files` | whole-file writes, the output of `-o`, generated parts of the documentation |
+//! | `drawing` | frames, colours, texts, dots and lines of pictures |
 //! | `terminal` | command line, report, tables of texts, parallel work with a progress bar |
 //! | `arguments` | arguments of several commands: numbers and ranges, times, options |
 //! | `commands` | the commands |
@@ -23,6 +24,8 @@ mod terminal {
 
     pub mod command_line;
 }
+
+mod drawing;
 
 mod arguments {
     pub mod values;

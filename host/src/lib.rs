@@ -5,12 +5,13 @@
 //! | module | contents |
 //! |---|---|
 //! | [`output`] | CSV and JSON |
-//! | [`input`] | scenario files, built-in motions, random numbers |
+//! | [`random`] | random numbers fixed by a seed |
+//! | [`input`] | scenario files, built-in motions |
 //! | [`threads`] | work on all processor cores |
 //! | [`mod@reference`] | the paper's integrals to more than thirty digits |
-//! | [`motion`] | motion at given times by the core or the full equations, its samples and constants |
-//! | [`fit`] | sensors, samples and a launch fitted to them |
-//! | [`score`] | output of an integrator against the exact motion |
+//! | [`motion`] | motion at given times by the core or the full equations, and its samples |
+//! | [`sensors`] | sensors, samples and a launch fitted to them |
+//! | [`integrators`] | output of an integrator against the exact motion |
 //! | [`pictures`] | curve of the tip, page for a browser |
 
 // A private module limits the visibility: what it declares `pub` is its interface within the crate.
@@ -18,6 +19,8 @@
 
 mod failure;
 pub mod output;
+
+pub mod random;
 
 pub mod input;
 
@@ -27,9 +30,9 @@ pub mod reference;
 
 pub mod motion;
 
-pub mod fit;
+pub mod sensors;
 
-pub mod score;
+pub mod integrators;
 
 pub mod pictures;
 

@@ -3,7 +3,7 @@
 //! | module | contents |
 //! |---|---|
 //! | [`Scalar`] | scalar types of the core |
-//! | [`times`] | times spread over an interval, and their order for a method that steps |
+//! | [`times`] | times within reach, spread over an interval, and their order for a method that steps |
 //! | [`sample`] | motion at one time |
 //! | [`euler_angles`], [`mod@column`] | quantities of a sample |
 //! | [`errors`] | errors of samples, and drifts of the first integrals |
@@ -28,9 +28,6 @@ pub mod tip_angle;
 pub mod stepper;
 
 pub mod full_solver;
-
-use toytop_model::constants::{Constant, Value};
-use toytop_model::timed_motion::TimedMotion;
 
 /// Scalar types of the core.
 #[derive(Clone, Copy, PartialEq)]
@@ -58,13 +55,5 @@ impl Scalar {
             Self::Q31 => "q31",
             Self::Q15 => "q15",
         }
-    }
-}
-
-/// Value of a constant in JSON; null where the motion does not have it.
-pub fn constant_as_json(constant: &Constant, motion: &TimedMotion) -> serde_json::Value {
-    match constant.value {
-        Value::Number(value) => value(motion).into(),
-        Value::Word(value) => value(motion).into(),
     }
 }

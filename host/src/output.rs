@@ -4,6 +4,8 @@ use serde::ser::Serialize;
 use serde_json::Value;
 use serde_json::ser::Formatter;
 use std::io::{self, Write};
+use toytop_model::constants::{self, Constant};
+use toytop_model::timed_motion::TimedMotion;
 
 /// Form of the output.
 #[derive(Clone, Copy, PartialEq)]
@@ -28,6 +30,14 @@ pub fn render(
         Format::Table => table(),
         Format::Csv => csv(rows),
         Format::Json => json(document) + "\n",
+    }
+}
+
+/// Value of a constant in JSON; null where the motion does not have it.
+pub fn constant_as_json(constant: &Constant, motion: &TimedMotion) -> Value {
+    match constant.value {
+        constants::Value::Number(value) => value(motion).into(),
+        constants::Value::Word(value) => value(motion).into(),
     }
 }
 

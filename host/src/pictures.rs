@@ -10,9 +10,9 @@ pub mod curve;
 pub mod page;
 
 use crate::Failure;
-use crate::input::require_within;
 use crate::motion::evaluator::MotionEvaluator;
 use crate::motion::sample::MotionSample;
+use crate::motion::times::require_within;
 use crate::output::significant;
 use toytop_model::display_duration::{cycle, display_duration, periods};
 

@@ -2,10 +2,27 @@
 
 use crate::start::{axis_at_start, momentum};
 use crate::timed_motion::{TimedMotion, natural_time};
-use crate::unit::Unit::{self, Any, Si};
+use Unit::{Any, Si};
 use core::f64::consts::PI;
 use toytop::scalar::{Float, Real};
 use toytop::{Level, Motion, Regime, TipClass};
+
+/// Unit of a quantity.
+#[derive(Clone, Copy)]
+pub enum Unit {
+    /// Unit with a mass, a length or a time, to which a scenario without units gives no name.
+    Si(&'static str),
+    /// Unit of an angle or a ratio, which every scenario has; empty for a number without unit.
+    Any(&'static str),
+}
+
+impl Unit {
+    /// Name in SI.
+    pub fn name(self) -> &'static str {
+        let (Self::Si(name) | Self::Any(name)) = self;
+        name
+    }
+}
 
 /// Constant of a motion.
 #[derive(Clone, Copy)]

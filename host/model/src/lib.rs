@@ -7,8 +7,7 @@
 //! | [`equations`] | full 3-D equations of motion |
 //! | `start` | axis and angular momentum at t = 0 |
 //! | [`timed_motion`] | motion whose period is integrated once, and the ticks of its table |
-//! | [`unit`] | unit of a quantity |
-//! | [`constants`] | constants of a motion by name, with their meanings |
+//! | [`constants`] | constants of a motion by name, with their units and meanings |
 //! | [`aperiodic`] | closed form of an aperiodic motion, which has no table |
 //! | [`display_duration`] | duration that a picture of a motion shows |
 //!
@@ -24,4 +23,3 @@ pub mod launch;
 pub mod parameters;
 mod start;
 pub mod timed_motion;
-pub mod unit;

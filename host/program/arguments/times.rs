@@ -3,8 +3,8 @@
 use crate::arguments::values::{FINITE, Values, counted_values, number};
 use clap::{ArgGroup, Args};
 use std::path::{Path, PathBuf};
-use toytop_host::input::require_within;
 use toytop_host::input::text_file;
+use toytop_host::motion::times::require_within;
 use toytop_host::{Failure, excerpt};
 
 /// Times of `toytop state`: exactly one of --times, --times-file, --ticks and --from.

@@ -2,8 +2,8 @@
 
 use std::ops::RangeInclusive;
 use std::str::FromStr;
-use toytop_host::input::random::Random;
 use toytop_host::output::significant;
+use toytop_host::random::Random;
 
 /// All finite numbers.
 pub const FINITE: RangeInclusive<f64> = f64::MIN..=f64::MAX;

@@ -7,7 +7,8 @@ use pyo3::sync::PyOnceLock;
 use pyo3::types::{PyFloat, PyInt};
 use std::fmt::Display;
 use toytop::ParameterError;
-use toytop_host::{Failure, FailureKind, input};
+use toytop_host::motion::times;
+use toytop_host::{Failure, FailureKind};
 
 /// Exception for a parameter and the reason.
 pub(crate) fn value_error(parameter: &str, reason: impl Display) -> PyErr {
@@ -82,7 +83,7 @@ impl FromPyObject<'_, '_> for NumericArg {
 /// # Errors
 /// `ValueError`: one of the times is farther.
 pub(crate) fn require_within(reach: f64, times: &[f64]) -> PyResult<()> {
-    let within = input::require_within(times.iter().copied(), reach, "");
+    let within = times::require_within(times.iter().copied(), reach, "");
     within.map_err(|failure| failed(failure.at("t")))
 }
 

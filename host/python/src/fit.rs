@@ -10,11 +10,11 @@ use pyo3::types::{IntoPyDict, PyDict, PyString};
 use pythonize::{depythonize, pythonize};
 use toytop_fit::{Drift, Measurement};
 use toytop_host::Failure;
-use toytop_host::fit::columns::Columns;
-use toytop_host::fit::result::{FitInput, FitResult, fit_launch};
-use toytop_host::fit::sensors::{Sensors, centre_of_mass};
-use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
-use toytop_host::fit::summary::FitSummary;
+use toytop_host::sensors::columns::Columns;
+use toytop_host::sensors::fit::{FitInput, FitResult, fit_launch};
+use toytop_host::sensors::models::{Sensors, centre_of_mass};
+use toytop_host::sensors::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
+use toytop_host::sensors::summary::FitSummary;
 
 /// Fitted launch with the covariance of its unknowns.
 #[pyclass(module = "toytop._toytop", frozen)]

@@ -9,9 +9,9 @@ use pyo3::types::PyDict;
 use pythonize::pythonize;
 use toytop::Orientation;
 use toytop_host::Failure;
-use toytop_host::score::order as convergence;
-use toytop_host::score::scorer::Scorer;
-use toytop_host::score::trajectory::{Trajectory, TrajectoryRow, normalised};
+use toytop_host::integrators::order as convergence;
+use toytop_host::integrators::scorer::Scorer;
+use toytop_host::integrators::trajectory::{Trajectory, TrajectoryRow, normalised};
 
 /// Errors of an integrator's output, from the state of motion.at(t[0]), against the exact motion, by the keys of JSON.
 #[pyfunction]

@@ -68,6 +68,11 @@ fn reason(text: &str, error: &csv::Error) -> String {
     }
 }
 
+/// Finite number of a field.
+pub fn finite(text: &str) -> Option<f64> {
+    text.trim().parse().ok().filter(|x: &f64| x.is_finite())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -4,11 +4,9 @@
 //! line that names file, key and what is allowed.
 
 mod motion;
-mod motion_input;
 mod top;
 
 pub use motion::fastest_rate;
-pub use motion_input::MotionInput;
 pub use toytop_model::launch::Launch;
 
 use super::section::{self, Key, Section};
@@ -18,11 +16,11 @@ use crate::{Failure, excerpt};
 use serde_json::json;
 use std::path::Path;
 use toml::{Table, Value};
-use toytop::{InitialAngles, Top, TopParameters};
+use toytop::{InitialAngles, ParameterError, Support, Top, TopParameters};
+use toytop_model::constants::Unit;
 use toytop_model::launch::{KINDS, Kind};
-use toytop_model::parameters::SUPPORTS;
+use toytop_model::parameters::{self, SUPPORTS};
 use toytop_model::timed_motion::TimedMotion;
-use toytop_model::unit::Unit;
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]
@@ -40,6 +38,28 @@ impl Units {
             (Self::Unnamed, Unit::Si(_)) => "",
             _ => unit.name(),
         }
+    }
+}
+
+/// Numbers of a top and of its launch, taken as exact.
+#[derive(Clone, Copy, Debug)]
+pub struct MotionInput {
+    /// Support of the tip.
+    pub support: Support,
+    /// Numbers of the top.
+    pub top: TopParameters,
+    /// Launch.
+    pub launch: Launch,
+}
+
+impl MotionInput {
+    /// Motion with its period.
+    ///
+    /// # Errors
+    /// The errors of a top, a state and a launch.
+    pub fn motion(&self) -> Result<TimedMotion, ParameterError> {
+        let top = parameters::top(self.support, &self.top)?;
+        self.launch.motion(&top).map(TimedMotion::new)
     }
 }
 

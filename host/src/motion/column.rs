@@ -3,7 +3,7 @@
 use super::euler_angles;
 use super::sample::MotionSample;
 use toytop::{Complex, Pose, Support};
-use toytop_model::unit::Unit::{self, Any, Si};
+use toytop_model::constants::Unit::{self, Any, Si};
 
 /// Quantity of a sample, one number or several.
 #[derive(Clone, Copy, PartialEq)]

@@ -1,4 +1,15 @@
-//! Times of a motion: spread over an interval, and in the order in which a method steps to them.
+//! Times of a motion: within its reach, spread over an interval, and in the order in which a method steps to them.
+
+use crate::Failure;
+
+/// Refuses times further from t = 0 than `most`; `suffix` ends the message.
+///
+/// # Errors
+/// [`Failure::input`].
+pub fn require_within(times: impl IntoIterator<Item = f64>, most: f64, suffix: &str) -> Result<(), Failure> {
+    let beyond = |t| Err(Failure::input(format!("{t:e} must be within ±{most:.1e}{suffix}")));
+    times.into_iter().find(|t| t.abs() > most).map_or(Ok(()), beyond)
+}
 
 /// Times in [0, `end`], s: one in each of `count` equal parts, shifted within the part by multiples of the golden section.
 pub fn spread_times(end: f64, count: u32) -> Vec<f64> {

@@ -101,8 +101,8 @@ impl Quadrature {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::input::random::Random;
     use crate::input::scenario::Launch;
+    use crate::random::Random;
     use crate::reference::float640::to_i64;
     use toytop::{InitialAngles, Signs, Support, TopParameters};
 

@@ -1,6 +1,9 @@
 // The core, as WebAssembly, takes a scenario and returns the constants of the motion and its state at any time, in the crate's bits.
 // The comparison top is integrated by the Runge-Kutta method.
 
+/** First scenario of the page, names that the core and scenario files share, and meanings of the constants. */
+const data = JSON.parse(document.getElementById("data").textContent);
+
 const namesOf = (keys) => keys.map(([name]) => name);
 
 /** Supports of the tip, keys of a top, and keys of each kind of motion, in the order in which the core takes their numbers. */

@@ -13,12 +13,12 @@ use std::iter::once;
 use toytop::{InitialAngles, Regime, Support, TopParameters};
 use toytop_host::Failure;
 use toytop_host::input::builtin;
-use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, MotionInput, Scenario};
 use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::Errors;
 use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::output::{self, Format};
+use toytop_host::random::Random;
 use toytop_host::reference::float640::{from_f64, from_i64};
 use toytop_host::reference::quadrature::Quadrature;
 

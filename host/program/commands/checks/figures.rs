@@ -1,7 +1,8 @@
 //! `toytop figures`: the curves of figures 2 and 3 of the paper, as `plot` draws them.
 
 use crate::arguments::options::not_stdout;
-use crate::commands::pictures::{drawing, plot::tip};
+use crate::commands::pictures::plot::tip;
+use crate::drawing;
 use crate::files::whole_file;
 use crate::terminal::report::Report;
 use clap::Args;

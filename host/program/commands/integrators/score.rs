@@ -3,7 +3,7 @@
 use super::problem_files;
 use crate::arguments::options::{PICTURE, ending_in};
 use crate::arguments::values::{POSITIVE, number};
-use crate::commands::pictures::drawing::{
+use crate::drawing::{
     self,
     chart::{Chart, Curve},
 };
@@ -18,10 +18,10 @@ use std::path::{Path, PathBuf};
 use toytop::Orientation;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
+use toytop_host::integrators::order;
+use toytop_host::integrators::scorer::{Score, Scorer};
+use toytop_host::integrators::trajectory::Trajectory;
 use toytop_host::output::{self, Format, error_text, or_dash, significant};
-use toytop_host::score::order;
-use toytop_host::score::scorer::{Score, Scorer};
-use toytop_host::score::trajectory::Trajectory;
 
 /// Errors of your integrator's output against the exact motion
 #[derive(Args)]

@@ -8,7 +8,7 @@ use serde_json::Value;
 use std::path::PathBuf;
 use toytop_host::Failure;
 use toytop_host::input::scenario::Scenario;
-use toytop_host::motion::constant_as_json;
+use toytop_host::output::constant_as_json;
 use toytop_host::output::{self, Format, significant};
 use toytop_model::constants::{CONSTANTS, Constant};
 

@@ -10,10 +10,10 @@ use serde_json::json;
 use std::path::PathBuf;
 use toytop::{Phase, Support};
 use toytop_host::Failure;
-use toytop_host::input::require_within;
 use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::motion::evaluator::{EventKind, EventQuery, MotionEvaluator, MotionEvent};
 use toytop_host::motion::sample::MotionSample;
+use toytop_host::motion::times::require_within;
 use toytop_host::output::{self, Format, error_text, or_dash, significant};
 
 /// Times of turning points, tilts, circles, tip angles and lift-off

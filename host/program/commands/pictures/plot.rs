@@ -13,8 +13,8 @@ mod sphere;
 pub mod tip;
 
 use crate::arguments::options::{PICTURE, ending_in, time_range};
-use crate::commands::pictures::drawing;
 use crate::commands::warnings::warnings;
+use crate::drawing;
 use crate::terminal::report::Report;
 use clap::{Args, ValueEnum};
 use kuva::render::render::Scene;

@@ -5,18 +5,18 @@ mod residuals;
 
 use crate::arguments::options::{PICTURE, ending_in, not_stdout};
 use crate::arguments::values::{POSITIVE, number};
-use crate::commands::pictures::drawing;
+use crate::drawing;
 use crate::files::whole_file;
 use crate::terminal::report::Report;
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::slice;
-use toytop_host::fit::columns;
-use toytop_host::fit::result::{FREE_KEYS, FitInput, fit_launch};
-use toytop_host::fit::sensors::{Sensors, centre_of_mass};
-use toytop_host::fit::summary::FitSummary;
 use toytop_host::input::scenario::ScenarioFile;
 use toytop_host::output::{self, Format};
+use toytop_host::sensors::columns;
+use toytop_host::sensors::fit::{FREE_KEYS, FitInput, fit_launch};
+use toytop_host::sensors::models::{Sensors, centre_of_mass};
+use toytop_host::sensors::summary::FitSummary;
 use toytop_host::{Failure, excerpt};
 
 /// Launch of a top from samples of sensors, with error bars

@@ -6,10 +6,10 @@ use crate::terminal::report::Report;
 use clap::Args;
 use std::path::PathBuf;
 use toytop_host::Failure;
-use toytop_host::fit::columns;
-use toytop_host::fit::sensors::{Sensors, centre_of_mass};
-use toytop_host::fit::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
 use toytop_host::input::scenario::Scenario;
+use toytop_host::sensors::columns;
+use toytop_host::sensors::models::{Sensors, centre_of_mass};
+use toytop_host::sensors::simulated::{MAX_SAMPLES, Recording, simulate_measurements};
 
 /// Samples of sensors on a top, with noise, bias and limited range
 #[derive(Args)]

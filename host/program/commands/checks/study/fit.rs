@@ -9,10 +9,10 @@ use std::f64::consts::PI;
 use toytop::{Motion, Orientation, Release, State, Top, TopParameters};
 use toytop_fit::{Fit, Fitted};
 use toytop_host::Failure;
-use toytop_host::fit::sensors::{Sensors, centre_of_mass};
-use toytop_host::fit::simulated::{Recording, simulate_measurements};
-use toytop_host::input::random::Random;
 use toytop_host::motion::errors::rotation_between;
+use toytop_host::random::Random;
+use toytop_host::sensors::models::{Sensors, centre_of_mass};
+use toytop_host::sensors::simulated::{Recording, simulate_measurements};
 
 /// Sets of sensors that are tried.
 const SENSOR_SETS: [&str; 3] =

@@ -5,11 +5,12 @@ use serde_json::Value;
 use std::cell::OnceCell;
 use std::str::FromStr;
 use toytop::TableSettings;
+use toytop_host::motion::Scalar;
 use toytop_host::motion::column::SampleColumn;
 use toytop_host::motion::errors::greater_or_infinite;
 use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::motion::times::spread_times;
-use toytop_host::motion::{Scalar, constant_as_json};
+use toytop_host::output::constant_as_json;
 use toytop_model::constants::{CONSTANTS, Constant};
 use toytop_model::timed_motion::TimedMotion;
 

@@ -6,9 +6,9 @@ use super::columns::{RowMotion, SweepColumn};
 use crate::arguments::values::Values;
 use serde_json::Value;
 use toytop_host::Failure;
-use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{ScenarioFile, full_name};
 use toytop_host::output::{csv_line, significant};
+use toytop_host::random::Random;
 use toytop_model::timed_motion::TimedMotion;
 
 /// Greatest number of motions.

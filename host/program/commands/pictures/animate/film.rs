@@ -1,7 +1,7 @@
 //! Film of the top in motion, as a GIF.
 
-use crate::commands::pictures::drawing::camera::{Camera, circle};
-use crate::commands::pictures::drawing::{ACCENT_COLOR, CAPTION_COLOR, CURVE_COLOR, disc, raster, text};
+use crate::drawing::camera::{Camera, circle};
+use crate::drawing::{ACCENT_COLOR, CAPTION_COLOR, CURVE_COLOR, disc, raster, text};
 use crate::terminal::parallel::Progress;
 use kuva::render::render::{Scene, TextAnchor};
 use std::f64::consts::PI;
@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use toytop::Support;
 use toytop_host::input::scenario::Scenario;
 use toytop_host::pictures::MotionSpan;
-use toytop_model::unit::Unit::Si;
+use toytop_model::constants::Unit::Si;
 
 /// Side of a frame's layout, pixels.
 const SIDE: f64 = 480.0;

@@ -1,6 +1,6 @@
 //! Tilt and precession against time.
 
-use crate::commands::pictures::drawing::chart::{Chart, Curve};
+use crate::drawing::chart::{Chart, Curve};
 use kuva::render::render::Scene;
 use std::f64::consts::PI;
 use toytop_host::Failure;
@@ -9,7 +9,7 @@ use toytop_host::motion::euler_angles::tilt_azimuth_roll;
 use toytop_host::output::significant;
 use toytop_host::pictures::MotionSpan;
 use toytop_host::pictures::curve::TiltLimit;
-use toytop_model::unit::Unit::Si;
+use toytop_model::constants::Unit::Si;
 
 /// Subtraction of a number, for a label; empty for 0.
 fn minus(x: f64, unit: &str) -> String {

@@ -1,6 +1,6 @@
 //! Effective potential of the nutation.
 
-use crate::commands::pictures::drawing::chart::{Chart, Curve};
+use crate::drawing::chart::{Chart, Curve};
 use kuva::render::render::Scene;
 use toytop::{Motion, Regime};
 use toytop_host::input::scenario::{Scenario, Units};

@@ -1,15 +1,13 @@
 //! Curve of the axis on the unit sphere.
 
 use super::tip::caption;
-use crate::commands::pictures::drawing::camera::{Camera, circle};
-use crate::commands::pictures::drawing::{
-    ACCENT_COLOR, BOUND_COLOR, CAPTION_COLOR, CURVE_COLOR, disc, line, text,
-};
+use crate::drawing::camera::{Camera, circle};
+use crate::drawing::{ACCENT_COLOR, BOUND_COLOR, CAPTION_COLOR, CURVE_COLOR, disc, line, text};
 use kuva::render::render::{Scene, TextAnchor};
 use toytop_host::input::scenario::Scenario;
 use toytop_host::pictures::MotionSpan;
 use toytop_host::pictures::curve::TiltLimit;
-use toytop_model::unit::Unit::Si;
+use toytop_model::constants::Unit::Si;
 
 const WIDTH: f64 = 720.0;
 const HEIGHT: f64 = 700.0;

@@ -1,8 +1,6 @@
 //! Picture of a curve, for a white page.
 
-use crate::commands::pictures::drawing::{
-    ACCENT_COLOR, BOUND_COLOR, CAPTION_COLOR, CURVE_COLOR, frame, label_above, text,
-};
+use crate::drawing::{ACCENT_COLOR, BOUND_COLOR, CAPTION_COLOR, CURVE_COLOR, frame, label_above, text};
 use kuva::plot::scatter::ScatterPlot;
 use kuva::plot::{LegendPosition, LinePlot, LineStyle};
 use kuva::render::plots::Plot;
@@ -13,8 +11,8 @@ use toytop_host::input::scenario::{Scenario, Units};
 use toytop_host::output::significant;
 use toytop_host::pictures::MotionSpan;
 use toytop_host::pictures::curve::TipCurve;
+use toytop_model::constants::Unit::Si;
 use toytop_model::constants::tip_class;
-use toytop_model::unit::Unit::Si;
 
 /// Sizes of the layout in pixels: side of the square for the curve, and margins around it.
 const SIDE: f64 = 560.0;

@@ -1,9 +1,9 @@
 //! Fitted launch as a table.
 
 use crate::terminal::table::TextTable;
-use toytop_host::fit::result::{Estimated, FitResult, RATES};
-use toytop_host::fit::summary::{DriftSummary, FitSummary, Prediction};
 use toytop_host::output::significant;
+use toytop_host::sensors::fit::{Estimated, FitResult, RATES};
+use toytop_host::sensors::summary::{DriftSummary, FitSummary, Prediction};
 
 /// Report as text, or the reason why there is no launch.
 pub fn table(fit: &FitResult, summary: &FitSummary<'_>) -> String {

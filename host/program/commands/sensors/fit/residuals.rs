@@ -1,13 +1,13 @@
 //! Picture of the residuals of a fit.
 
-use crate::commands::pictures::drawing::{BOUND_COLOR, chart::COLORS, frame};
+use crate::drawing::{BOUND_COLOR, chart::COLORS, frame};
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::ScatterPlot;
 use kuva::render::figure::Figure;
 use kuva::render::plots::Plot;
 use kuva::render::render::Scene;
 use toytop_fit::Measurement;
-use toytop_host::fit::result::FitResult;
+use toytop_host::sensors::fit::FitResult;
 
 /// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines where outliers begin. Saturated
 /// readings are left out.

@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 use toytop::{InitialAngles, Release, Sign, Signs, State, Support, TopParameters};
-use toytop_host::input::random::Random;
 use toytop_host::input::scenario::{Launch, MotionInput};
+use toytop_host::random::Random;
 
 /// Least tilt from the vertical that is not 0, rad.
 const MIN_TILT: f64 = 1e-6;

@@ -2,11 +2,11 @@
 
 use super::random_launch;
 use toytop::{ParameterError, Regime, TableSettings};
-use toytop_host::input::random::Random;
 use toytop_host::input::scenario::MotionInput;
 use toytop_host::motion::Scalar;
 use toytop_host::motion::errors::{greater_or_infinite, rate_error};
 use toytop_host::motion::evaluator::{EventKind, EventQuery, MotionEvaluator};
+use toytop_host::random::Random;
 use toytop_host::reference::float640::{Float640, from_f64, from_i64, to_i64};
 use toytop_host::reference::quadrature::Quadrature;
 use toytop_model::timed_motion::TimedMotion;

@@ -1,6 +1,6 @@
 //! Fit of a launch, and of free keys of the top, to measurements, and its result.
 
-use super::sensors::Sensors;
+use super::models::Sensors;
 use crate::Failure;
 use crate::input::scenario::{Launch, to_toml};
 use crate::input::section;

@@ -1,7 +1,7 @@
 //! Simulated measurements of a motion.
 
-use super::sensors::{SensorKind, SensorModel, Sensors};
-use crate::input::random::Random;
+use super::models::{SensorKind, SensorModel, Sensors};
+use crate::random::Random;
 use std::f64::consts::PI;
 use toytop::{Motion, Orientation};
 use toytop_fit::{Measurement, Partials, Sensitivity};

@@ -1,6 +1,6 @@
 //! Result of a fit. Its field names are the keys of JSON; the report, CSV and Python use them too.
 
-use super::result::{Estimated, FitResult};
+use super::fit::{Estimated, FitResult};
 use serde::{Serialize, Serializer};
 use toytop_fit::Sensitivity;
 

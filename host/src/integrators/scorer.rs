@@ -3,10 +3,10 @@
 use super::phases::{self, PhaseErrors};
 use super::trajectory::{Trajectory, TrajectoryRow};
 use crate::Failure;
-use crate::input::require_within;
 use crate::motion::Scalar;
 use crate::motion::errors::{Drifts, distance, greater_or_infinite};
 use crate::motion::evaluator::MotionEvaluator;
+use crate::motion::times::require_within;
 use serde::Serialize;
 use std::f64::consts::PI;
 use toytop::Orientation;

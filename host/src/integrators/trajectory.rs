@@ -1,7 +1,7 @@
 //! Trajectory of a CSV file: columns by name, and statements about the run in comment lines above the header.
 
-use crate::input::csv_rows::{self, CsvRows};
-use crate::input::{finite, text_file};
+use crate::input::csv_rows::{self, CsvRows, finite};
+use crate::input::text_file;
 use crate::{Failure, excerpt};
 use csv::StringRecord;
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};

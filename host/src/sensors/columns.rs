@@ -1,8 +1,8 @@
 //! Samples by column, and their CSV. A row has a time and the readings of the sensors; an empty field is no reading.
 
-use super::sensors::{SensorKind, Sensors};
-use crate::input::csv_rows::{self, CsvRows};
-use crate::input::{finite, text_file};
+use super::models::{SensorKind, Sensors};
+use crate::input::csv_rows::{self, CsvRows, finite};
+use crate::input::text_file;
 use crate::output::csv_line;
 use crate::{Failure, excerpt};
 use std::iter::once;

@@ -1,9 +1,9 @@
 //! Measurements of a top: sensors from a file, samples as columns, simulated samples, and the launch that is fitted to them.
 
-pub mod sensors;
+pub mod models;
 
 pub mod columns;
 pub mod simulated;
 
-pub mod result;
+pub mod fit;
 pub mod summary;
