@@ -4,7 +4,7 @@ use crate::Failure;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Stack of a thread, bytes. The set-up of the largest table needs 1.5 MB of it.
+/// Stack of a thread, bytes: far more than the 1.5 MB of the largest table's set-up, because memory that is not touched costs nothing.
 pub const STACK: usize = 1 << 25;
 
 /// Thread pool of one call, with a thread for each processor core. A pool of the process would be lost in a forked process, and the calls of

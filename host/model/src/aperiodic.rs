@@ -50,8 +50,8 @@ impl AperiodicMotion {
         t * if t < 0.0 { before } else { after }
     }
 
-    /// Upper bound on the orientation error, rad: the bound of the closed form, which holds up to 1e15 of the shortest times of the motion, and
-    /// its growth beyond.
+    /// Upper bound on the orientation error, rad: constant up to 1e15 times the shortest time scale of the motion, and 2e-30 rad a tick
+    /// beyond.
     pub fn error_bound(&self) -> ErrorBound {
         ErrorBound { constant: self.form.error_bound(), per_tick: 2e-30 }
     }

@@ -67,7 +67,7 @@ pub fn number_constants() -> impl Iterator<Item = (&'static str, NumberOf)> {
         Value::Number(value) => Some((constant.name, value)),
         Value::Word(_) => None,
     });
-    numbers.chain(MORE_CONSTANTS)
+    numbers.chain(NUMBERS_OF_TOP_AND_START)
 }
 
 /// Constants of a motion, as `toytop constants` prints them.
@@ -189,7 +189,7 @@ pub static CONSTANTS: [Constant; 28] = [
 ];
 
 /// Constants that only the page and Python print: numbers of the top and of the motion at t = 0.
-static MORE_CONSTANTS: [(&str, NumberOf); 20] = [
+static NUMBERS_OF_TOP_AND_START: [(&str, NumberOf); 20] = [
     // 0 sliding, 1 fixed, 2 free
     ("support", |motion| f64::from(motion.top().support() as u8)),
     ("A", |motion| motion.top().transverse_inertia()),

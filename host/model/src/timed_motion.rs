@@ -6,7 +6,7 @@ use core::ops::Deref;
 use toytop::scalar::Float;
 use toytop::{Motion, PeriodAdvance, Regime, Tick};
 
-/// Greatest number of ticks from t = 0 at which a table is evaluated. They are counted in 64 bits.
+/// Greatest distance of a time from t = 0, ticks. A tick that is given by its number may be any one of 64 bits.
 pub const MAX_TICKS: f64 = (1_u64 << 62) as f64;
 
 /// Motion with its period, which is integrated once.
@@ -53,7 +53,7 @@ impl TimedMotion {
         rate
     }
 
-    /// Greatest distance from t = 0 at which the table can be evaluated, s.
+    /// Greatest distance of a time from t = 0, s.
     pub fn furthest_time(&self) -> f64 {
         MAX_TICKS / self.ticks_per_time()
     }

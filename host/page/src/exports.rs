@@ -4,7 +4,7 @@
 //! unmangled names only on WebAssembly, because elsewhere another function could have the same name.
 
 use crate::runge_kutta::RungeKutta;
-use crate::table::{self, PageTable};
+use crate::table::{self, PageMotion};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
@@ -23,7 +23,7 @@ const COORDINATES: usize = 5;
 static NUMBERS: [AtomicU64; POINTS * COORDINATES] = [const { AtomicU64::new(0) }; POINTS * COORDINATES];
 static WORDS: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
 static MOTION: Mutex<Option<Motion>> = Mutex::new(None);
-static TABLE: Mutex<PageTable> = Mutex::new(PageTable::EMPTY);
+static TABLE: Mutex<PageMotion> = Mutex::new(PageMotion::EMPTY);
 static RUNGE_KUTTA: Mutex<Option<RungeKutta>> = Mutex::new(None);
 
 /// Address of the numbers, each an `f64` by its bits.

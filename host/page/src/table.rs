@@ -8,7 +8,7 @@ use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::timed_motion::TimedMotion;
 
 /// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
-pub struct PageTable {
+pub struct PageMotion {
     memory: TableMemory<SizedTable<f64, 4096>>,
     closed_form: ClosedForm,
     ticks_per_time: f64,
@@ -28,7 +28,7 @@ pub type PoseNumbers = [f64; 10];
 /// Truncation errors that a table may have, rad: the least one that the capacity allows is taken.
 const TRUNCATIONS: [f64; 4] = [f64::TRUNCATION, 1e-12, 1e-9, 1e-6];
 
-impl PageTable {
+impl PageMotion {
     /// Table before its first motion. All its bits are 0, so that it takes no space in a file.
     pub const EMPTY: Self =
         Self { memory: TableMemory::new(), closed_form: ClosedForm::None, ticks_per_time: 0.0 };

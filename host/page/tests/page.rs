@@ -8,7 +8,7 @@ use toytop_model::parameters::top_parameters;
 use toytop_model::timed_motion::TimedMotion;
 use toytop_page::exports::launch_names;
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
-use toytop_page::table::{PageTable, pose_numbers};
+use toytop_page::table::{PageMotion, pose_numbers};
 
 /// The toy top of the README, thrown.
 fn thrown() -> Motion {
@@ -31,7 +31,7 @@ fn on_a_large_stack(test: impl FnOnce() + Send + 'static) {
 fn a_pose_is_the_cores() {
     on_a_large_stack(|| {
         let motion = thrown();
-        let mut table = Box::new(PageTable::EMPTY);
+        let mut table = Box::new(PageMotion::EMPTY);
         table.set_up(&TimedMotion::new(motion)).unwrap();
         let core = TableF64::new(&motion, TimedMotion::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {

@@ -5,10 +5,11 @@ use clap::ValueEnum;
 use std::path::PathBuf;
 use toytop_host::motion::Scalar;
 
-/// Method by which `state` reaches a time.
+/// Method that computes a motion.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
 pub enum Method {
     /// Table of the core: any time at the same cost
+    // astronomers call a table of positions an ephemeris
     #[value(name = "ephemeris")]
     Table,
     /// Stepper of the core

@@ -35,7 +35,7 @@ pub struct TimesArgs {
 /// Times in the order of the request, at least one.
 pub struct Times {
     /// Option that states them, in messages.
-    pub option: String,
+    pub stated_by: String,
     /// Times, s.
     pub seconds: Vec<f64>,
     /// Ticks of these times, with --ticks only.
@@ -84,7 +84,7 @@ impl Times {
         };
         let [ticks_per, duration] = rate.map(f64::from);
         let seconds = ticks.iter().map(|tick| *tick as f64 * duration / ticks_per).collect();
-        Ok(Self { option: "--ticks".to_owned(), seconds, ticks })
+        Ok(Self { stated_by: "--ticks".to_owned(), seconds, ticks })
     }
 
     fn read_file(path: &Path) -> Result<Self, Failure> {
@@ -109,14 +109,14 @@ impl Times {
         Self::new(format!("--times-file: {name}"), &Values::List(times))
     }
 
-    /// Times of values with a number; `option` states them.
+    /// Times of values with a number; `stated_by` is the option, in messages.
     ///
     /// # Errors
     /// [`Failure::input`]: too many times.
-    pub fn new(option: String, values: &Values) -> Result<Self, Failure> {
-        require_count(values.count()).map_err(|reason| Failure::input(reason).at(&option))?;
+    pub fn new(stated_by: String, values: &Values) -> Result<Self, Failure> {
+        require_count(values.count()).map_err(|reason| Failure::input(reason).at(&stated_by))?;
         let seconds = (0..values.count()).map(|index| values.at(index)).collect();
-        Ok(Self { option, seconds, ticks: Vec::new() })
+        Ok(Self { stated_by, seconds, ticks: Vec::new() })
     }
 
     /// Refuses times further from t = 0 than `most`, s; `method` ends the message.
@@ -125,7 +125,7 @@ impl Times {
     /// [`Failure::input`].
     pub fn require_within(&self, most: f64, method: &str) -> Result<(), Failure> {
         require_within(self.seconds.iter().copied(), most, &format!(" s{method}"))
-            .map_err(|failure| failure.at(&self.option))
+            .map_err(|failure| failure.at(&self.stated_by))
     }
 }
 

@@ -98,7 +98,7 @@ impl Values {
 
     /// Number between the ends, at this fraction of the range.
     fn between(&self, fraction: f64) -> f64 {
-        let [low, high] = self.ends();
+        let [low, high] = self.least_and_greatest();
         let between = |low: f64, high: f64| low + (high - low) * fraction;
         // rounding must neither change the ends nor pass them
         match fraction {
@@ -121,16 +121,16 @@ impl Values {
     }
 
     /// Least and greatest value.
-    pub fn ends(&self) -> [f64; 2] {
+    pub fn least_and_greatest(&self) -> [f64; 2] {
         match self {
-            Self::List(numbers) => ends(numbers.iter().copied()),
+            Self::List(numbers) => least_and_greatest(numbers.iter().copied()),
             Self::Range { low, high, .. } => [*low, *high],
         }
     }
 }
 
 /// Least and greatest of numbers.
-pub fn ends(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+pub fn least_and_greatest(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
     numbers.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }
 
@@ -201,7 +201,7 @@ mod tests {
     fn what_is_drawn_lies_within_and_reaches_everywhere() {
         for (text, distinct) in [("log:0.1..0.3", 1000), ("-0.3..0.7", 1000), ("1,2,3", 3), ("0..1/11", 11)] {
             let values = values(text);
-            let [low, high] = values.ends();
+            let [low, high] = values.least_and_greatest();
             let mut drawn: Vec<_> = (0..1000).map(|i| values.draw(&mut Random::new(1, i))).collect();
             assert!(drawn.iter().all(|x| (low..=high).contains(x)), "{text}");
             drawn.sort_by(f64::total_cmp);

@@ -1,7 +1,7 @@
 //! Chart of curves over linear or logarithmic axes. (The logarithmic axes of kuva have no ticks below 1e-10.)
 
 use super::{frame, label_above};
-use crate::arguments::values::ends;
+use crate::arguments::values::least_and_greatest;
 use kuva::plot::LinePlot;
 use kuva::plot::scatter::{MarkerShape, ScatterPlot};
 use kuva::render::layout::TickFormat;
@@ -89,7 +89,10 @@ impl Chart<'_> {
                 plots.push(dots.with_marker(mark).with_legend(&*curve.name).into());
             }
         }
-        let [mut x, mut y] = [ends(all.iter().map(|(x, _)| *x)), ends(all.iter().map(|(_, y)| *y))];
+        let [mut x, mut y] = [
+            least_and_greatest(all.iter().map(|(x, _)| *x)),
+            least_and_greatest(all.iter().map(|(_, y)| *y)),
+        ];
         let height = y[1] - y[0];
         let margin = match self.logarithmic {
             true => 0.1,

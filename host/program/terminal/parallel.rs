@@ -58,8 +58,8 @@ pub fn map_with_progress<T: Send>(
     map(count as usize, counted)
 }
 
-/// Progress of work with a known total, as a bar on stderr for work that takes more than a second; there is none where stderr is no terminal.
-/// The bar disappears with it.
+/// Progress of work with a known total. Work that takes more than a second has a bar on stderr, if that is a terminal. The bar disappears
+/// when the progress is dropped.
 pub struct Progress(ProgressBar);
 
 impl Progress {

@@ -1,4 +1,4 @@
-"""Sweep with Dask: each part computes its launches by their number, on any worker."""
+"""Sweep with Dask: each part computes its launches by their number, one part after the other."""
 
 import dask
 import numpy as np
@@ -17,7 +17,7 @@ def part(top: toytop.Top, seed: int, count: int) -> toytop.Samples:
 
 def sweep(count: int, parts: int = 4) -> np.ndarray:
     tasks = [part(TOP, seed, count // parts) for seed in range(parts)]
-    # a part uses all cores of its machine: one part at a time on each
+    # a part uses all cores of the machine
     return np.concatenate([samples.u for samples in dask.compute(*tasks, scheduler="single-threaded")])
 
 

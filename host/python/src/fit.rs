@@ -56,14 +56,14 @@ pub(crate) fn fit<'py>(
         .map_err(|reason| value_error("samples", reason))?;
     let readings: Vec<Measurement> = rows.iter().map(|(_, measurement)| *measurement).collect();
     let input = FitInput { top: top.top, table: top.table(), free, sensors: used_sensors, huber, drift };
-    let (report, residuals) = interrupt::interruptible(py, move || {
-        let report = fit_launch(input, &readings)?;
-        let residuals = report.residuals(&readings);
-        Ok::<_, Failure>((report, residuals))
+    let (result, residuals) = interrupt::interruptible(py, move || {
+        let result = fit_launch(input, &readings)?;
+        let residuals = result.residuals(&readings);
+        Ok::<_, Failure>((result, residuals))
     })?
     .map_err(failed)?;
     let mut by_column = Columns { t: given.t, readings: Vec::new() };
-    for (sensor, model) in report.input.sensors.models.iter().enumerate() {
+    for (sensor, model) in result.input.sensors.models.iter().enumerate() {
         for (component, name) in model.kind.residuals().iter().enumerate() {
             let mut column = vec![f64::NAN; by_column.t.len()];
             for ((row, measurement), residual) in rows.iter().zip(&residuals) {
@@ -74,20 +74,20 @@ pub(crate) fn fit<'py>(
             by_column.readings.push((*name, column));
         }
     }
-    fields(py, &report, by_column)
+    fields(py, &result, by_column)
 }
 
 /// Numbers of the fit by the keys of JSON; the launch, its tilt in rad, the residuals and the names of the losses.
-fn fields<'py>(py: Python<'py>, report: &FitResult, residuals: Columns) -> PyResult<Bound<'py, PyDict>> {
-    let core = report.fitted;
+fn fields<'py>(py: Python<'py>, result: &FitResult, residuals: Columns) -> PyResult<Bound<'py, PyDict>> {
+    let core = result.fitted;
     let refused = |reason: String| PyString::new(py, &reason).into_any();
-    let launched = match (core.warning, report.scenario(None)) {
+    let launched = match (core.warning, result.scenario(None)) {
         (Some(reason), _) => refused(format!("must be that of a fit that has converged: {reason}")),
         (None, Err(failure)) => refused(failure.to_string()),
         (None, Ok(text)) => Bound::new(py, MotionCore::from_text("fitted", &text)?)?.into_any(),
     };
-    let [_, tilt] = report.spin_and_tilt();
-    let fields = pythonize(py, &FitSummary::new(report))?.cast_into::<PyDict>()?;
+    let [_, tilt] = result.spin_and_tilt();
+    let fields = pythonize(py, &FitSummary::new(result))?.cast_into::<PyDict>()?;
     fields.set_item("_core", FittedLaunch(core))?;
     fields.set_item("launched", launched)?;
     fields.set_item("loss_names", Drift::LOSS_NAMES)?;

@@ -10,7 +10,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use toytop_model::constants::number_constants;
 
-/// Motions of tops by rows. A row has the numbers of a release, or a quaternion and the rates of this name. A single top or row counts for all.
+/// Motions of tops by rows. A row has the numbers of a release, or a quaternion and `omega` or `omega_body`. A single top or row counts for all.
 ///
 /// # Errors
 /// `ValueError` that names the launch and the parameter.
@@ -18,14 +18,14 @@ use toytop_model::constants::number_constants;
 pub(crate) fn launch_many(
     py: Python<'_>,
     tops: Vec<Py<TopCore>>,
-    rates: &str,
+    omega_name: &str,
     rows: PyReadonlyArray2<'_, f64>,
 ) -> PyResult<Vec<Py<MotionCore>>> {
     let rows: Vec<_> = rows.as_array().outer_iter().map(|row| row.to_vec()).collect();
     let motions = interrupt::map(py, tops.len().max(rows.len()), |index| {
         let top = tops[index % tops.len()].get();
         let (name, motion) = match rows[index % rows.len()][..] {
-            [w, x, y, z, a, b, c] => ("quaternion", top.launch([w, x, y, z], rates, [a, b, c])),
+            [w, x, y, z, a, b, c] => ("quaternion", top.launch([w, x, y, z], omega_name, [a, b, c])),
             [a, b, c, d, e, f] => ("releases", top.release(a, b, c, d, e, f)),
             _ => ("rows", Err(value_error("rows", "must be of 6 or 7 numbers"))),
         };

@@ -2,9 +2,9 @@
 
 mod changes;
 mod events;
-mod reference_and_closed_form;
+mod other_methods;
 
-pub(crate) use reference_and_closed_form::ClosedFormCore;
+pub(crate) use other_methods::ClosedFormCore;
 
 use crate::arguments::{NumericArg, failed, renamed, require_within, value_error};
 use crate::samples::{Sampler, SharedEvaluator, Source};

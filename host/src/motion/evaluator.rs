@@ -4,11 +4,11 @@ mod events;
 
 mod evaluate;
 
+mod boxed_table;
 mod closed_form;
-mod heap_table;
 
+pub use boxed_table::{BoxedTable, SEGMENTS};
 pub use events::{EventKind, EventQuery, MotionEvent};
-pub use heap_table::{HeapTable, SEGMENTS};
 
 use crate::Failure;
 use crate::input::scenario::Scenario;
@@ -92,9 +92,9 @@ impl MotionEvaluator {
     /// Evaluator by the table with the least number of segments that is enough.
     fn with_table<R: TableScalar>(motion: &TimedMotion, settings: &TableSettings) -> Result<Self, Failure>
     where
-        HeapTable<R>: Evaluate + 'static,
+        BoxedTable<R>: Evaluate + 'static,
     {
-        let memory = HeapTable::<R>::new(motion, settings, SEGMENTS)?;
+        let memory = BoxedTable::<R>::new(motion, settings, SEGMENTS)?;
         let table = memory.table();
         Ok(Self {
             segments: table.capacity(),
@@ -197,7 +197,7 @@ mod tests {
             let table = MotionEvaluator::new(motion, scalar).unwrap();
             let settings = TableSettings::new(motion.tick());
             for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < table.segments) {
-                let refused = HeapTable::<R>::new(motion, &settings, segments..=segments).is_err();
+                let refused = BoxedTable::<R>::new(motion, &settings, segments..=segments).is_err();
                 assert!(refused, "{segments} segments would do");
             }
             table.segments

@@ -8,7 +8,7 @@ use toytop::{Complex, Orientation, Pose, TipClass};
 use toytop_model::equations::Rates;
 use toytop_model::timed_motion::TimedMotion;
 
-/// Least |αβ| whose argument is known: an error of 1e-14 in α and β changes it by 1e-5 rad.
+/// Least |αβ| from which the tip angle is computed: an error of 1e-14 in α and β changes its argument by 1e-5 rad.
 const MIN_PRODUCT: f64 = 1e-9;
 
 /// Tip angle of a motion at any time, to a few roundings of `f64`.

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use toytop_model::constants::CONSTANTS;
 use toytop_page::TEMPLATE;
 use toytop_page::exports::launch_names;
-use toytop_page::table::PageTable;
+use toytop_page::table::PageMotion;
 
 /// The core as WebAssembly; empty in a program that was compiled without that target.
 const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
@@ -30,7 +30,7 @@ pub fn html(start: &ScenarioFile) -> Result<String, Failure> {
         return Err(Failure::tool(format!("this toytop was compiled without the page: {install}")));
     }
     let scenario = start.scenario()?;
-    if !PageTable::fits(&scenario.motion) {
+    if !PageMotion::fits(&scenario.motion) {
         return Err(Failure::method("no table: that of the page is too small for this motion"));
     }
     let data = json!({
@@ -65,7 +65,7 @@ mod tests {
     /// After a refusal the table has no motion, also if the motion before had a closed form.
     #[test]
     fn a_refused_motion_leaves_no_other() {
-        static TABLE: Mutex<PageTable> = Mutex::new(PageTable::EMPTY);
+        static TABLE: Mutex<PageMotion> = Mutex::new(PageMotion::EMPTY);
         let motion = |e| {
             let parameters = TopParameters {
                 transverse_inertia: 1.1e-6,

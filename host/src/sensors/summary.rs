@@ -19,7 +19,7 @@ pub struct FitSummary<'a> {
     pub orientation_deviation: [f64; 3],
     /// Angular velocity in the fixed frame, rad/s.
     pub omega: [f64; 3],
-    /// Standard deviations of the angular velocity, in the frame that the error of the orientation turns, rad/s.
+    /// Standard deviations of the angular velocity, rad/s, in a frame that turns with the error of the orientation.
     pub omega_deviation: [f64; 3],
     /// Component of the angular velocity along the axis, rad/s.
     pub spin: f64,

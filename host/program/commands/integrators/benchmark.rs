@@ -12,7 +12,7 @@ use toytop_host::Failure;
 use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::output::{self, Format};
 
-/// Reference values of the heavy tops that integrators are tested with
+/// Reference values of the tops that integrators are tested with
 #[derive(Args)]
 #[command(
     after_help = "The values have 30 digits, which a second computation confirms. The conventions are those of the problem's source.\n\n\

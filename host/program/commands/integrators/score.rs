@@ -125,13 +125,13 @@ pub fn run(arguments: &ScoreArgs) -> Result<Report, Failure> {
             results.len()
         )));
     }
-    let reference =
+    let scorer =
         Scorer::new(&scenario.motion, &start_command).map_err(|failure| failure.at(&scenario.name))?;
     let axes = problem.as_ref().map_or(Orientation::IDENTITY, |problem| problem.about.body_axes());
     let (mut files, mut warnings) = (Vec::new(), Vec::new());
     for (index, path) in results.iter().enumerate() {
         let trajectory = Trajectory::read(path)?.in_axes_of_core(&axes);
-        let score = reference.score(&trajectory)?;
+        let score = scorer.score(&trajectory)?;
         let spacing = trajectory.spacing();
         let Trajectory { name, method, step, evaluations, rows } = trajectory;
         warnings.extend(score.warning.iter().map(|warning| format!("warning: {name}: {warning}")));

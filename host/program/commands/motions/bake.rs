@@ -21,7 +21,7 @@ use std::path::PathBuf;
 use toytop::{ErrorBound, Table, TableScalar, TableSettings, Tick};
 use toytop_host::input::scenario::Scenario;
 use toytop_host::motion::Scalar;
-use toytop_host::motion::evaluator::{HeapTable, SEGMENTS};
+use toytop_host::motion::evaluator::{BoxedTable, SEGMENTS};
 use toytop_host::{Failure, FailureKind};
 
 /// Table of a motion as a constant for firmware: Rust or C
@@ -96,10 +96,11 @@ fn baked<R: TableScalar<Coefficient: Into<f64>>>(
     crc32: fn(&Table<R>) -> u32,
 ) -> Result<[String; 2], Failure> {
     let segments = arguments.segments.map_or(least..=*SEGMENTS.end(), |segments| segments..=segments);
-    let table = HeapTable::new(&scenario.motion, &TableSettings::new(tick), segments).map_err(|failure| {
-        let no_such_size = failure.kind == FailureKind::Input;
-        failure.at(if no_such_size { "--segments" } else { &scenario.name })
-    })?;
+    let table =
+        BoxedTable::new(&scenario.motion, &TableSettings::new(tick), segments).map_err(|failure| {
+            let no_such_size = failure.kind == FailureKind::Input;
+            failure.at(if no_such_size { "--segments" } else { &scenario.name })
+        })?;
     let table = table.table();
     let text = match arguments.lang {
         Language::Rust => module(title, table, crc32(table)),

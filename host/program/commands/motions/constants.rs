@@ -76,7 +76,7 @@ mod tests {
             Some((constant.meaning, function.split("\"\"\"").nth(1)?))
         };
         let documented: Vec<_> = CONSTANTS.iter().filter_map(|constant| docstring(&constant)).collect();
-        // two properties are words, and have the words in place of the meaning
+        // the docstrings of regime and tip_class list their words instead
         assert_eq!(documented.len() + 2, python.matches("@property").count());
         for (meaning, docstring) in documented {
             assert!(docstring.starts_with(meaning), "{docstring}: {meaning}");

@@ -120,7 +120,7 @@ fn sampler(
         }
         (Method::Stepper, scalar) => {
             let step = motion.characteristic_time() / f64::from(arguments.steps_per_period.unwrap_or(4096));
-            let option = arguments.steps_per_period.map_or(&*times.option, |_| "--steps-per-period");
+            let option = arguments.steps_per_period.map_or(&*times.stated_by, |_| "--steps-per-period");
             let steps = steps_needed(&times.seconds, step).map_err(|failure| failure.at(option))?;
             let progress = Progress::new(steps, "steps");
             let samples = match scalar {
@@ -139,7 +139,8 @@ fn sampler(
     Ok(Box::new(move |index| samples[index as usize]))
 }
 
-/// Samples of the full solver. From the core come the whole turns of the tip angle, and the start of a motion given by branch points.
+/// Samples of the full solver. The core gives the start of a motion from branch points, the whole turns of the tip angle, and the tip angle
+/// itself where the tip is near the centre.
 fn full_solver_samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<MotionSample>, Failure> {
     let states = full_solver::states(scenario, times)?;
     let angle = TipAngle::new(&scenario.motion);

@@ -181,7 +181,8 @@ class Motion(Constants):
 
     def reference(self, t: ArrayLike) -> Samples:
         """Truth at time t, s, rounded to float64: the paper's integrals in numbers of 640 bits, which share no formula and no
-        arithmetic with Motion.at. It takes some milliseconds a time.
+        arithmetic with Motion.at. Only the whole turns of tip_angle, and tip_angle near the centre, are those of Motion.at. It takes
+        some milliseconds a time.
 
         Raises:
             ValueError: t is not finite or beyond 2^62 ticks.

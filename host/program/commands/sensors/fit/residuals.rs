@@ -11,15 +11,15 @@ use toytop_host::sensors::fit::FitResult;
 
 /// Residuals in standard deviations: a strip for each sensor, with a dot for each sample and lines where outliers begin. Saturated
 /// readings are left out.
-pub fn draw(report: &FitResult, measurements: &[Measurement]) -> Scene {
-    let residuals = report.residuals(measurements);
+pub fn draw(fit: &FitResult, measurements: &[Measurement]) -> Scene {
+    let residuals = fit.residuals(measurements);
     let ends = ends_of(measurements);
     let level = |x: f64| {
         LinePlot::new().with_data(ends.map(|t| (t, x))).with_color(BOUND_COLOR).with_stroke_width(0.8).into()
     };
     let (mut strips, mut layouts) = (Vec::new(), Vec::new());
-    for (sensor, model) in report.input.sensors.models.iter().enumerate() {
-        let huber = report.input.huber;
+    for (sensor, model) in fit.input.sensors.models.iter().enumerate() {
+        let huber = fit.input.huber;
         let limits = [huber, -huber].into_iter().filter(|x| x.is_finite());
         let mut furthest = limits.clone().fold(4.0, f64::max);
         let mut strip: Vec<Plot> = limits.map(level).collect();

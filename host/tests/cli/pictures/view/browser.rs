@@ -15,7 +15,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use toytop::{Complex, Motion, Orientation};
 use toytop_host::input::scenario::Scenario;
 use toytop_model::timed_motion::TimedMotion;
-use toytop_page::table::PageTable;
+use toytop_page::table::PageMotion;
 
 /// The document at the end of a minute of Chromium's virtual time, and the lines of its console.
 fn browse(page: &Path, width: u32, fragment: &str) -> (String, Vec<String>) {
@@ -77,15 +77,15 @@ fn complex(value: &Value) -> Complex<f64> {
 }
 
 /// The core's table of a motion, with the capacity of the page's table. It is too large for the stack of a test.
-fn core_of(motion: &Motion) -> MutexGuard<'static, PageTable> {
-    static TABLE: Mutex<PageTable> = Mutex::new(PageTable::EMPTY);
+fn core_of(motion: &Motion) -> MutexGuard<'static, PageMotion> {
+    static TABLE: Mutex<PageMotion> = Mutex::new(PageMotion::EMPTY);
     let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
     table.set_up(&TimedMotion::new(*motion)).expect("it fits");
     table
 }
 
 /// Asserts that the numbers that the page shows are the core's to the bit.
-fn assert_core(shown: &Value, core: &PageTable, t: f64) -> Orientation<f64> {
+fn assert_core(shown: &Value, core: &PageMotion, t: f64) -> Orientation<f64> {
     let (phi, tip) = core.at(t);
     let [x, y, z] = phi.axis();
     assert_eq!([complex(&shown["alpha"]), complex(&shown["beta"])], [phi.alpha, phi.beta], "{t}");

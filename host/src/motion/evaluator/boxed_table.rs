@@ -33,13 +33,13 @@ capacities!(8 16 25 32 48 64 128 256 512 1024 2048 4096);
 pub const SEGMENTS: RangeInclusive<u32> = 8..=4096;
 
 /// Table of the core on the heap, after its set-up.
-pub struct HeapTable<R: TableScalar> {
+pub struct BoxedTable<R: TableScalar> {
     memory: Box<TableMemory<Table<R>>>,
     /// Mean rate of the tip angle, rad/s.
     tip_rate: f64,
 }
 
-impl<R: TableScalar> HeapTable<R> {
+impl<R: TableScalar> BoxedTable<R> {
     /// Table of a motion, in the least number of segments that is enough.
     ///
     /// * `segments`: least and greatest number; any other is a power of two
@@ -115,7 +115,7 @@ impl<R: TableScalar> HeapTable<R> {
     }
 }
 
-impl<R: TableScalar> Evaluate for HeapTable<R>
+impl<R: TableScalar> Evaluate for BoxedTable<R>
 where
     Self: Send + Sync,
 {
