@@ -138,23 +138,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn far_times_and_open_ranges_are_refused() {
-        let times = |text: &str| {
-            let values = counted_values(text).map_err(Failure::input)?;
-            Times::new("--times".to_owned(), &values)
-        };
-        let far = times("-3..1/5").unwrap();
-        assert!(far.require_within(3.0, "").is_ok());
-        assert_eq!(
-            far.require_within(2.9, "").unwrap_err().to_string(),
-            "--times: -3e0 must be within ±2.9e0 s"
-        );
-        for refused in ["0..1", "1..0/3", "0..1/1", "0..1/5000000000", "0..1/60000000", "0..x/3"] {
-            assert!(times(refused).is_err(), "{refused}");
-        }
-    }
-
-    #[test]
     fn ticks_are_exact_fractions_of_a_second() {
         let ticks = |text: &str| Times::parse_ticks(text, [44100, 2]);
         let run = ticks("-2..2").unwrap();
@@ -162,9 +145,5 @@ mod tests {
         assert_eq!((run.seconds[0], run.seconds[4]), (-4.0 / 44100.0, 4.0 / 44100.0));
         let list = ticks("7,-99, 3").unwrap();
         assert_eq!((list.ticks[1], list.seconds[1], list.seconds.len()), (-99, -198.0 / 44100.0, 3));
-        for refused in ["", "1.5", "2..1", "1,,2", "0..99999999999999999999", "0..10000000"] {
-            let message = ticks(refused).err().unwrap().to_string();
-            assert!(message.starts_with(&format!("--ticks: {refused}: ")), "{message}");
-        }
     }
 }

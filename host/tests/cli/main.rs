@@ -47,7 +47,6 @@ mod integrators {
 /// Checks of toytop itself.
 mod checks {
     mod accuracy;
-    mod budget;
     mod errata;
     mod figures;
     mod study;

@@ -176,37 +176,3 @@ fn table_of(rows: &[EventRow<'_>], units: Units) -> String {
     let header = ["event", "sense", t, "tilt, degrees", "tip angle, degrees", error];
     TextTable::new(2, header, rows.iter().map(line)).aligned()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn kinds_are_read_and_refused() {
-        assert_eq!(
-            kind("turning").map(|argument| (argument.kind, argument.upward)),
-            Ok((EventKind::Turning, None))
-        );
-        assert_eq!(
-            kind("tilt=30:up").map(|argument| (argument.kind, argument.upward)),
-            Ok((EventKind::Tilt(30_f64.to_radians()), Some(true)))
-        );
-        assert_eq!(
-            kind("tip-angle=-90").map(|argument| argument.kind),
-            Ok(EventKind::TipAngle(Phase::from_turns(-0.25)))
-        );
-        for bad in [
-            "",
-            "tilt",
-            "tilt=x",
-            "tilt=181",
-            "circle=0",
-            "circle=-1",
-            "tilt=nan",
-            "turning:left",
-            "lift-off=1",
-        ] {
-            assert!(kind(bad).is_err(), "{bad}");
-        }
-    }
-}

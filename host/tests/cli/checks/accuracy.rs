@@ -1,6 +1,6 @@
 //! `toytop accuracy`: the errors of every scalar, and its page.
 
-use crate::command::{all_refused, json, list, number, path, read, repository, write};
+use crate::command::{json, list, number, path, read, repository, write};
 use serde_json::Value;
 
 /// Greatest error among rows, by the key of the error.
@@ -37,9 +37,4 @@ fn each_scalar_is_as_exact_as_it_says_at_every_tick() {
         assert!(late < 2.0 * early, "{scalar}");
     }
     assert!(read(PAGE) == page, "stale: toytop accuracy --accept");
-}
-
-#[test]
-fn wrong_arguments_are_refused() {
-    all_refused("accuracy", &[("--scalar q7", "q31, q15, all"), ("--accept page.md", "page.md")]);
 }

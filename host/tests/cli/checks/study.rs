@@ -1,6 +1,6 @@
-//! `toytop study`: rows, pages and refusals.
+//! `toytop study`: rows and pages.
 
-use crate::command::{Run, all_refused, bash, folder, list, number, read, write};
+use crate::command::{Run, bash, folder, list, number, read, write};
 use serde_json::Value;
 
 /// Result of a study in a folder of this name, whose pages have this text.
@@ -57,17 +57,4 @@ fn a_page_without_a_place_is_refused_before_the_work() {
         let run = study("no_place", "no place\n", &format!("{name} --accept"));
         run.refused(2, &format!("must hold the lines <!-- toytop study {name}: "));
     }
-}
-
-#[test]
-fn wrong_arguments_are_refused() {
-    all_refused(
-        "study",
-        &[
-            ("", "see toytop --help"),
-            ("fit --motions 0", "1..=100000000"),
-            ("corners --seed x", "--seed"),
-            ("corners --accept page.md", "page.md"),
-        ],
-    );
 }

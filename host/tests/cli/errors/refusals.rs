@@ -40,6 +40,12 @@ fn wrong_arguments_are_refused() {
             ("--times 1,NaN", "--times ... NaN ... finite number"),
             ("--times 0..1", "'0..1' for '--times <T1,T2,...>' ... must be X,Y,... or LOW..HIGH/COUNT"),
             ("--times 10..0/5", "--times ... LOW must be below HIGH\n"),
+            ("--times log:0..1/3", "--times ... LOW must be above 0 with log:"),
+            ("--times 0..1/1", "--times ... COUNT must be a whole number from 2 to 4294967295"),
+            ("--times 0..1/x", "--times ... COUNT must be a whole number from 2 to 4294967295"),
+            ("--times 0..x/3", "--times ... must be a finite number"),
+            ("--times 1..", "--times ... must be a finite number"),
+            ("--times log:3", "--times ... must be a finite number"),
             ("--times 0..1/60000000", "--times: 60000000 times: must be at most 10000000"),
             ("--times 1,-1e300", "error: --times: -1e300 must be within ±2.8e14 s"),
             ("--times-file @no_such_file", "no_such_file.toml"),
@@ -48,6 +54,10 @@ fn wrong_arguments_are_refused() {
             ("--times-file no_times.txt", "no_times ... at least one"),
             ("--times-file /dev/zero", "256 MiB"),
             ("--ticks 1..0", "--ticks: 1..0: must be N1,N2,... or FIRST..LAST"),
+            ("--ticks 1.5", "--ticks: 1.5: must be N1,N2,... or FIRST..LAST"),
+            ("--ticks 1,,2", "--ticks: 1,,2: must be N1,N2,... or FIRST..LAST"),
+            ("--ticks 0..99999999999999999999", "--ticks: 0..99999999999999999999: must be"),
+            ("--ticks 0..10000000", "--ticks: 0..10000000: 10000001 times: must be at most 10000000"),
             ("--ticks 1 --hertz 0/1", "--hertz"),
             ("--times 1 --hertz 5", "'--times <T1,T2,...>' cannot be used with '--hertz <N>'"),
             ("--from 0 --to 1", "--count"),
@@ -63,6 +73,54 @@ fn wrong_arguments_are_refused() {
             ("--times 1 --steps-per-period 16777217", "1..=16777216"),
             ("--times 1 --steps-per-period 10", "error: --steps-per-period: needs --method stepper\n"),
             ("--times 1e6,-1e6 --method stepper", "--times ... at most 1e10 steps"),
+        ],
+    );
+    all_refused(
+        "events @toy_top",
+        &[
+            ("--kind tilt", "must be turning, tilt=DEGREES"),
+            ("--kind tilt=x", "must be a number from 0 to 180 degrees"),
+            ("--kind tilt=200", "must be a number from 0 to 180 degrees"),
+            ("--kind tilt=nan", "must be a number from 0 to 180 degrees"),
+            ("--kind circle=0", "must be a number above 0"),
+            ("--kind circle=-1", "must be a number above 0"),
+            ("--kind circle=0.04", "must be above 0 and below 0.03"),
+            ("--kind turning:left", "must be turning"),
+            ("--kind lift-off=1", "must be turning"),
+            ("--count 0", "1..=1000000"),
+            ("--from NaN", "must be a finite number"),
+            ("--from 1e300", "must be within"),
+        ],
+    );
+}
+
+#[test]
+fn wrong_arguments_of_benchmarks_and_checks_are_refused() {
+    write("rows.csv", "t,w,x,y,z\n0,1,0,0,0\n");
+    write("no_program.elf", "");
+    all_refused(
+        "",
+        &[
+            ("events no_such_file.toml", "no_such_file.toml"),
+            ("benchmark nothing", "benchmark: nothing: must be one of bruls_cardona"),
+            ("benchmark parker --times x", "--times"),
+            ("benchmark parker --times 1e300", "must be within"),
+            ("benchmark --times 1", "NAME"),
+            ("score --benchmark nothing rows.csv", "--benchmark: nothing: must be one of"),
+            ("score rows.csv", "RESULT.csv"),
+            ("score --benchmark parker", "RESULT.csv"),
+            ("accuracy --scalar q7", "q31, q15, all"),
+            ("accuracy --accept page.md", "page.md"),
+            ("budget --chip m5", "m0plus, m4f, m7, m33, riscv"),
+            ("budget --clock 0", "a number above 0"),
+            ("budget --elf no_program.elf", "--chip"),
+            ("budget --elf no_program.elf --chip m4f", "no_program.elf"),
+            ("budget --check --accept", "--accept"),
+            ("budget --check --flash", "--flash"),
+            ("study", "see toytop --help"),
+            ("study fit --motions 0", "1..=100000000"),
+            ("study corners --seed x", "--seed"),
+            ("study corners --accept page.md", "page.md"),
         ],
     );
 }

@@ -1,6 +1,6 @@
 //! `toytop benchmark` and `score --benchmark`.
 
-use crate::command::{all_refused, json, list, number, read, repository, toytop, write};
+use crate::command::{json, list, number, read, repository, toytop, write};
 use serde_json::Value;
 
 fn names() -> Vec<String> {
@@ -76,21 +76,4 @@ fn the_pages_have_the_digits() {
             }
         }
     }
-}
-
-#[test]
-fn wrong_arguments_are_refused() {
-    write("rows.csv", "t,w,x,y,z\n0,1,0,0,0\n");
-    all_refused(
-        "",
-        &[
-            ("benchmark nothing", "benchmark: nothing: must be one of bruls_cardona"),
-            ("benchmark parker --times x", "--times"),
-            ("benchmark parker --times 1e300", "must be within"),
-            ("benchmark --times 1", "NAME"),
-            ("score --benchmark nothing rows.csv", "--benchmark: nothing: must be one of"),
-            ("score rows.csv", "RESULT.csv"),
-            ("score --benchmark parker", "RESULT.csv"),
-        ],
-    );
 }

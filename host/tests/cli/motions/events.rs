@@ -1,6 +1,6 @@
 //! `toytop events`.
 
-use crate::command::{all_refused, branch_points, json, list, number, numbers, samples, scenario, toytop};
+use crate::command::{branch_points, json, list, number, numbers, samples, scenario, toytop};
 use serde_json::Value;
 
 fn events(arguments: &str) -> Vec<Value> {
@@ -96,22 +96,4 @@ fn events_that_do_not_occur_give_an_empty_list() {
     let csv = toytop("events @toy_top --kind turning,tilt=20.5 --count 4 --format csv").ok();
     assert!(csv.starts_with("t,kind,sense,u,tilt_deg,tip_x,tip_y,phi_deg,time_error\n"), "{csv}");
     assert_eq!(csv.lines().count(), 5);
-}
-
-#[test]
-fn wrong_arguments_are_refused() {
-    all_refused(
-        "events @toy_top",
-        &[
-            ("--kind tilt", "must be turning, tilt=DEGREES"),
-            ("--kind tilt=200", "must be a number from 0 to 180 degrees"),
-            ("--kind circle=-1", "must be a number above 0"),
-            ("--kind circle=0.04", "must be above 0 and below 0.03"),
-            ("--kind turning:left", "must be turning"),
-            ("--count 0", "1..=1000000"),
-            ("--from NaN", "must be a finite number"),
-            ("--from 1e300", "must be within"),
-        ],
-    );
-    toytop("events no_such_file.toml").refused(2, "no_such_file.toml");
 }

@@ -125,7 +125,7 @@ fn errors_are_those_of_the_scalars() {
 }
 
 #[test]
-fn wrong_arguments_are_refused() {
+fn a_refused_sweep_leaves_the_file() {
     write("sweep_kept.csv", "kept");
     all_refused(
         "sweep -o sweep_kept.csv @toy_top",

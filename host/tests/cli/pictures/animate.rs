@@ -27,7 +27,7 @@ fn a_gif_shows_the_top_in_motion() {
 }
 
 #[test]
-fn wrong_arguments_are_refused() {
+fn a_refused_film_leaves_no_file() {
     folder("animate_refused");
     for (name, part) in [
         ("top.avi", "must end in .gif"),
