@@ -57,14 +57,6 @@ impl Failure {
         self
     }
 
-    /// Failure whose first name, that of a key, follows the name of the key's table.
-    pub fn in_table(mut self, table: &str) -> Self {
-        if let Some(key) = self.path.first_mut() {
-            *key = format!("{table}.{key}");
-        }
-        self
-    }
-
     /// First name of the message; empty where it has none.
     pub fn name(&self) -> &str {
         self.path.first().map_or("", |name| name)

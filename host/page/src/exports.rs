@@ -3,8 +3,8 @@
 //! A result stays there until the next call, and JavaScript copies the data that it keeps. The functions are exported by their
 //! unmangled names only on WebAssembly, because elsewhere another function could have the same name.
 
+use crate::page_motion::{PageMotion, pose_numbers};
 use crate::runge_kutta::RungeKutta;
-use crate::table::{self, PageMotion};
 use core::array::from_fn;
 use core::sync::atomic::{AtomicU8, AtomicU64, Ordering::Relaxed};
 use spin::Mutex;
@@ -23,7 +23,7 @@ const COORDINATES: usize = 5;
 static NUMBERS: [AtomicU64; POINTS * COORDINATES] = [const { AtomicU64::new(0) }; POINTS * COORDINATES];
 static WORDS: [AtomicU8; 256] = [const { AtomicU8::new(0) }; 256];
 static MOTION: Mutex<Option<Motion>> = Mutex::new(None);
-static TABLE: Mutex<PageMotion> = Mutex::new(PageMotion::EMPTY);
+static PAGE_MOTION: Mutex<PageMotion> = Mutex::new(PageMotion::EMPTY);
 static RUNGE_KUTTA: Mutex<Option<RungeKutta>> = Mutex::new(None);
 
 /// Address of the numbers, each an `f64` by its bits.
@@ -58,12 +58,12 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
     (*MOTION.lock(), *RUNGE_KUTTA.lock()) = (None, None);
     match launched(support, kind) {
         Ok(motion) => {
-            let table = TABLE.lock();
+            let page_motion = PAGE_MOTION.lock();
             write_numbers(
                 number_constants()
                     .map(|(_, value)| value(&motion))
-                    .chain(table.error_bound())
-                    .chain([display_duration(&motion, |t| table.at(t).1.modulus())]),
+                    .chain(page_motion.error_bound())
+                    .chain([display_duration(&motion, |t| page_motion.at(t).1.modulus())]),
             );
             *MOTION.lock() = Some(*motion);
             write_words([regime(motion.regime()), tip_class(motion.tip_class())])
@@ -80,22 +80,22 @@ fn launched(support: u32, kind: u32) -> Result<TimedMotion, ParameterError> {
     let top = parameters::top(support, &top_parameters(numbers_of_top))?;
     let launch = Launch::new(kind, from_fn(|i| number(numbers_of_top.len() + i)))?;
     let motion = TimedMotion::new(launch.motion(&top)?);
-    TABLE.lock().set_up(&motion)?;
+    PAGE_MOTION.lock().set_up(&motion)?;
     Ok(motion)
 }
 
 /// Puts the pose at time t into the numbers.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn pose(t: f64) {
-    write_numbers(table::pose_numbers(TABLE.lock().at(t)));
+    write_numbers(pose_numbers(PAGE_MOTION.lock().at(t)));
 }
 
 /// Puts axis and tip at `count` times into the numbers, the first at `from`, `step` apart.
 #[cfg_attr(target_family = "wasm", unsafe(no_mangle))]
 pub extern "C" fn curve(from: f64, step: f64, count: u32) {
-    let table = TABLE.lock();
+    let page_motion = PAGE_MOTION.lock();
     write_numbers((0..count).flat_map(|i| {
-        let [.., r1, r2, r3, c1, c2] = table::pose_numbers(table.at(from + step * f64::from(i)));
+        let [.., r1, r2, r3, c1, c2] = pose_numbers(page_motion.at(from + step * f64::from(i)));
         [r1, r2, r3, c1, c2]
     }));
 }
@@ -113,8 +113,8 @@ pub extern "C" fn runge_kutta(step: f64) {
 pub extern "C" fn runge_kutta_pose(t: f64) -> u32 {
     let Some(integration) = &mut *RUNGE_KUTTA.lock() else { return 0 };
     let (reached, orientation, tip) = integration.advance_to(t);
-    let distance = TABLE.lock().at(reached).0.distance(&orientation);
-    write_numbers(table::pose_numbers((orientation, tip)).into_iter().chain([reached, distance]));
+    let distance = PAGE_MOTION.lock().at(reached).0.distance(&orientation);
+    write_numbers(pose_numbers((orientation, tip)).into_iter().chain([reached, distance]));
     1
 }
 

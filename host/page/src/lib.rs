@@ -2,7 +2,7 @@
 //!
 //! | module | content |
 //! |---|---|
-//! | [`table`] | table of a motion in `f64`: any time, at the same cost |
+//! | [`page_motion`] | table or closed form of a motion in `f64`: any time, at the same cost |
 //! | [`runge_kutta`] | classical Runge-Kutta method, for comparison |
 //! | [`exports`] | functions that JavaScript calls |
 //!
@@ -11,8 +11,8 @@
 #![cfg_attr(target_family = "wasm", no_std)]
 
 pub mod exports;
+pub mod page_motion;
 pub mod runge_kutta;
-pub mod table;
 
 /// Page with a `{{NAME}}` for each text that depends on the motion.
 pub const TEMPLATE: &str = include_str!(concat!(env!("OUT_DIR"), "/page.html"));

@@ -7,8 +7,8 @@ use toytop_model::launch::{Kind, Launch};
 use toytop_model::parameters::top_parameters;
 use toytop_model::timed_motion::TimedMotion;
 use toytop_page::exports::launch_names;
+use toytop_page::page_motion::{PageMotion, pose_numbers};
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
-use toytop_page::table::{PageMotion, pose_numbers};
 
 /// The toy top of the README, thrown.
 fn thrown() -> Motion {

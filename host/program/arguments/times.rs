@@ -48,15 +48,15 @@ const MAX_TIMES: u64 = 10_000_000;
 impl Times {
     /// Times of the command line.
     ///
-    /// * `rate`: tick rate `[A, B]`, A ticks in B seconds
+    /// * `hertz`: tick rate `[A, B]`, A ticks in B seconds
     ///
     /// # Errors
     /// [`Failure::input`]: an unreadable file, an entry that is no finite number, or no tick.
-    pub fn read(arguments: &TimesArgs, rate: [u32; 2]) -> Result<Self, Failure> {
+    pub fn read(arguments: &TimesArgs, hertz: [u32; 2]) -> Result<Self, Failure> {
         match arguments {
             TimesArgs { times: Some(values), .. } => Self::new("--times".to_owned(), values),
             TimesArgs { times_file: Some(path), .. } => Self::read_file(path),
-            TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, rate),
+            TimesArgs { ticks: Some(text), .. } => Self::parse_ticks(text, hertz),
             TimesArgs { from: Some(from), to: Some(to), count, .. } => {
                 let values = Values::range([*from, *to], false, *count, ["--from", "--to", "--count"]);
                 let values = values.map_err(Failure::input)?;
@@ -67,7 +67,7 @@ impl Times {
     }
 
     /// Ticks of a text `N1,N2,...` or `FIRST..LAST`, as an interrupt counts them.
-    fn parse_ticks(text: &str, rate: [u32; 2]) -> Result<Self, Failure> {
+    fn parse_ticks(text: &str, hertz: [u32; 2]) -> Result<Self, Failure> {
         let refused = |reason| Failure::input(reason).at(excerpt(text)).at("--ticks");
         let allowed = "must be N1,N2,... or FIRST..LAST, whole numbers of 64 bits";
         let numbers =
@@ -82,7 +82,7 @@ impl Times {
             Some(ticks) if !range => ticks.to_vec(),
             _ => return Err(refused(allowed.to_owned())),
         };
-        let [ticks_per, duration] = rate.map(f64::from);
+        let [ticks_per, duration] = hertz.map(f64::from);
         let seconds = ticks.iter().map(|tick| *tick as f64 * duration / ticks_per).collect();
         Ok(Self { stated_by: "--ticks".to_owned(), seconds, ticks })
     }

@@ -59,12 +59,13 @@ pub struct Section<'a> {
 impl Section<'_> {
     /// Failure that names a key and the reason.
     pub fn failure(&self, key: &str, reason: impl Into<String>) -> Failure {
-        Failure::input(reason).at(excerpt(key)).in_table(&excerpt(self.name))
+        Failure::input(reason).at(format!("{}.{}", excerpt(self.name), excerpt(key)))
     }
 
     /// Failure that names the key of the core's error.
     pub fn refusal(&self, error: ParameterError) -> Failure {
-        Failure::from(error).renamed([("theta", "nutation_phase"), ("top", "kind")]).in_table(self.name)
+        let named = Failure::from(error).renamed([("theta", "nutation_phase"), ("top", "kind")]);
+        self.failure(named.name(), &*named.reason)
     }
 
     /// Refuses all keys except `names` and the key of `choice`.

@@ -10,7 +10,7 @@ use serde_json::{Value, json};
 use toytop_model::constants::CONSTANTS;
 use toytop_page::TEMPLATE;
 use toytop_page::exports::launch_names;
-use toytop_page::table::PageMotion;
+use toytop_page::page_motion::PageMotion;
 
 /// The core as WebAssembly; empty in a program that was compiled without that target.
 const CORE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/core.wasm"));
@@ -65,7 +65,7 @@ mod tests {
     /// After a refusal the table has no motion, also if the motion before had a closed form.
     #[test]
     fn a_refused_motion_leaves_no_other() {
-        static TABLE: Mutex<PageMotion> = Mutex::new(PageMotion::EMPTY);
+        static PAGE_MOTION: Mutex<PageMotion> = Mutex::new(PageMotion::EMPTY);
         let motion = |e| {
             let parameters = TopParameters {
                 transverse_inertia: 1.1e-6,
@@ -80,10 +80,13 @@ mod tests {
             let motion = Motion::from_branch_points(&top, e, signs, &InitialAngles::default());
             TimedMotion::new(motion.unwrap())
         };
-        let mut table = TABLE.lock().unwrap();
-        table.set_up(&motion([0.2, 1.0, 1.0])).unwrap();
-        assert!(table.error_bound()[0] < 1e-10);
-        table.set_up(&motion([-0.999_999, 0.999_999, 1.18])).unwrap_err();
-        assert_eq!((table.at(0.5).0, table.error_bound()), (Orientation::IDENTITY, [f64::INFINITY; 2]));
+        let mut page_motion = PAGE_MOTION.lock().unwrap();
+        page_motion.set_up(&motion([0.2, 1.0, 1.0])).unwrap();
+        assert!(page_motion.error_bound()[0] < 1e-10);
+        page_motion.set_up(&motion([-0.999_999, 0.999_999, 1.18])).unwrap_err();
+        assert_eq!(
+            (page_motion.at(0.5).0, page_motion.error_bound()),
+            (Orientation::IDENTITY, [f64::INFINITY; 2])
+        );
     }
 }

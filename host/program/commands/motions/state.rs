@@ -73,8 +73,8 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let inputs = [Some(&*arguments.scenario), arguments.times.times_file.as_deref()];
     whole_file::require_other("--output", arguments.output.as_deref(), &inputs)?;
     let scenario = Scenario::read(&arguments.scenario)?;
-    let rate = arguments.hertz.unwrap_or([1000, 1]);
-    let times = Times::read(&arguments.times, rate)?;
+    let hertz = arguments.hertz.unwrap_or([1000, 1]);
+    let times = Times::read(&arguments.times, hertz)?;
     let format = arguments.format;
     let mut columns = arguments.columns.clone();
     let json_columns = if columns.is_empty() {
@@ -90,7 +90,7 @@ pub fn run(arguments: &StateArgs) -> Result<Report, Failure> {
     let support = scenario.motion.top().support();
     let row_format = RowFormat { format, columns, units: scenario.units, support };
     let count = times.seconds.len() as u64;
-    let sample = sampler(arguments, &scenario, times, rate)?;
+    let sample = sampler(arguments, &scenario, times, hertz)?;
     // from here on the input cannot cause a failure
     file_or_stdout::write(arguments.output.as_deref(), |out| {
         out.write_all(row_format.head().as_bytes())?;
@@ -105,14 +105,14 @@ fn sampler(
     arguments: &StateArgs,
     scenario: &Scenario,
     times: Times,
-    rate: [u32; 2],
+    hertz: [u32; 2],
 ) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
     if arguments.steps_per_period.is_some() && arguments.method != Method::Stepper {
         return Err(Failure::input("--steps-per-period: needs --method stepper"));
     }
     let samples = match (arguments.method, arguments.scalar) {
-        (Method::Table, scalar) => return table_sampler(scalar, scenario, times, rate),
+        (Method::Table, scalar) => return table_sampler(scalar, scenario, times, hertz),
         (Method::Stepper, Scalar::Q31 | Scalar::Q15) => {
             let name = arguments.scalar.name();
             let reason = format!("none in {name}: use --method ephemeris, which has {name}");
@@ -152,12 +152,12 @@ fn full_solver_samples(scenario: &Scenario, times: &[f64]) -> Result<Vec<MotionS
     Ok(times.iter().zip(&states).map(sample).collect())
 }
 
-/// * `rate`: tick rate `[A, B]`, A ticks in B seconds
+/// * `hertz`: tick rate `[A, B]`, A ticks in B seconds
 fn table_sampler(
     scalar: Scalar,
     scenario: &Scenario,
     times: Times,
-    rate: [u32; 2],
+    hertz: [u32; 2],
 ) -> Result<Box<Sampler>, Failure> {
     let motion = &scenario.motion;
     let named = |failure: Failure| match scalar {
@@ -166,7 +166,7 @@ fn table_sampler(
     };
     let (mut settings, in_ticks) = (TableSettings::new(motion.tick()), !times.ticks.is_empty());
     if in_ticks {
-        let tick = Tick::ratio(rate[0], rate[1]);
+        let tick = Tick::ratio(hertz[0], hertz[1]);
         settings.tick = tick.map_err(|error| Failure::from(error).at("--hertz"))?;
     }
     let evaluator = MotionEvaluator::with_settings(motion, scalar, &settings).map_err(named)?;

@@ -15,7 +15,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use toytop::{Complex, Motion, Orientation};
 use toytop_host::input::scenario::Scenario;
 use toytop_model::timed_motion::TimedMotion;
-use toytop_page::table::PageMotion;
+use toytop_page::page_motion::PageMotion;
 
 /// The document at the end of a minute of Chromium's virtual time, and the lines of its console.
 fn browse(page: &Path, width: u32, fragment: &str) -> (String, Vec<String>) {

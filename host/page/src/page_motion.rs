@@ -1,4 +1,4 @@
-//! Table of a motion in `f64`: the orientation at any time, at the same cost.
+//! Motion in `f64` by its table or its closed form: the orientation at any time, at the same cost.
 
 use toytop::{
     Complex, Motion, Orientation, ParameterError, Regime, SizedTable, Table, TableMemory, TableScalar,
@@ -7,7 +7,7 @@ use toytop::{
 use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::timed_motion::TimedMotion;
 
-/// Table with the largest capacity that there is, or the closed form of an aperiodic motion.
+/// Motion by the table with the largest capacity that there is, or by the closed form if it is aperiodic.
 pub struct PageMotion {
     memory: TableMemory<SizedTable<f64, 4096>>,
     closed_form: ClosedForm,
