@@ -24,10 +24,8 @@ use toytop_model::timed_motion::{MAX_TICKS, TimedMotion};
 
 /// Evaluator of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
 pub struct MotionEvaluator {
-    /// Number of segments; 0 without a table.
-    pub segments: usize,
-    /// Number of coefficients of each polynomial; 0 without a table.
-    pub terms: usize,
+    /// Number of segments of the table, and of coefficients of each polynomial; `None` for a closed form.
+    pub size: Option<[usize; 2]>,
     /// Ticks in a unit of time.
     pub ticks_per_time: f64,
     /// Upper bound on the orientation error, rad.
@@ -79,8 +77,7 @@ impl MotionEvaluator {
 
     fn with_closed_form(motion: &TimedMotion, form: AperiodicMotion) -> Self {
         Self {
-            segments: 0,
-            terms: 0,
+            size: None,
             ticks_per_time: form.ticks_per_time,
             error_bound: form.error_bound(),
             rate_error_bound: rate_error_bound(&form),
@@ -97,8 +94,7 @@ impl MotionEvaluator {
         let memory = BoxedTable::<R>::new(motion, settings, SEGMENTS)?;
         let table = memory.table();
         Ok(Self {
-            segments: table.capacity(),
-            terms: R::TERMS,
+            size: Some([table.capacity(), R::TERMS]),
             ticks_per_time: table.clock().ticks_per_time[0],
             error_bound: table.error_bound(),
             rate_error_bound: table.rate_error_bound(),
@@ -184,7 +180,7 @@ mod tests {
     #[test]
     fn an_aperiodic_motion_has_a_closed_form_in_f64_alone() {
         let motion = motion(1.0, [0.2, 1.0, 1.0]);
-        assert_eq!(MotionEvaluator::new(&motion, Scalar::F64).unwrap().segments, 0);
+        assert!(MotionEvaluator::new(&motion, Scalar::F64).unwrap().size.is_none());
         for scalar in [Scalar::F32, Scalar::Q31, Scalar::Q15] {
             let refusal = MotionEvaluator::new(&motion, scalar).err().unwrap().to_string();
             assert_eq!(refusal, "an aperiodic motion has a closed form in f64, and no table");
@@ -194,13 +190,13 @@ mod tests {
     /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
     fn sizes_chosen<R: TableScalar>(scalar: Scalar, motions: &[TimedMotion]) -> Vec<usize> {
         let chosen = |motion: &TimedMotion| {
-            let table = MotionEvaluator::new(motion, scalar).unwrap();
+            let [chosen, _] = MotionEvaluator::new(motion, scalar).unwrap().size.unwrap();
             let settings = TableSettings::new(motion.tick());
-            for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < table.segments) {
+            for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < chosen) {
                 let refused = BoxedTable::<R>::new(motion, &settings, segments..=segments).is_err();
                 assert!(refused, "{segments} segments would do");
             }
-            table.segments
+            chosen
         };
         let mut sizes: Vec<_> = motions.iter().map(chosen).collect();
         sizes.sort_unstable();

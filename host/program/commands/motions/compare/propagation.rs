@@ -73,7 +73,6 @@ fn propagate_by_table(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Re
     let evaluator = MotionEvaluator::new(motion, scalar)?;
     let (samples, ns) = timed_samples(times, |t| evaluator.at(t));
     let ticks = times.last().map_or(0.0, |last| last * evaluator.ticks_per_time);
-    let has_table = evaluator.segments > 0;
-    let table = has_table.then(|| format!("{}x{}", evaluator.segments, evaluator.terms));
+    let table = evaluator.size.map(|[segments, terms]| format!("{segments}x{terms}"));
     Ok(Propagation { samples, table, bound: evaluator.error_bound.after(ticks), ns: Some(ns), steps: None })
 }

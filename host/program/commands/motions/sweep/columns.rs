@@ -36,7 +36,7 @@ type TableColumn = (&'static str, fn(&RowMotion) -> Option<Value>);
 const TABLE_COLUMNS: [TableColumn; 3] = [
     ("error_f32", |motion| motion.error_f32().map(Value::from)),
     ("bound_f32", |motion| Some(motion.f32_table()?.error_bound.constant.into())),
-    ("segments_f32", |motion| Some(motion.f32_table()?.segments.into())),
+    ("segments_f32", |motion| Some(motion.f32_table()?.size?[0].into())),
 ];
 
 /// Columns without the option.
