@@ -5,7 +5,7 @@ use serde_json::Value;
 use serde_json::ser::Formatter;
 use std::io::{self, Write};
 use toytop_model::constants::{self, Constant};
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Form of the output.
 #[derive(Clone, Copy, PartialEq)]
@@ -34,7 +34,7 @@ pub fn render(
 }
 
 /// Value of a constant in JSON; null where the motion does not have it.
-pub fn constant_as_json(constant: &Constant, motion: &TimedMotion) -> Value {
+pub fn constant_as_json(constant: &Constant, motion: &MotionWithPeriod) -> Value {
     match constant.value {
         constants::Value::Number(value) => value(motion).into(),
         constants::Value::Word(value) => value(motion).into(),

@@ -1,6 +1,6 @@
 //! Closed form of an aperiodic motion, which has no table.
 
-use crate::timed_motion::TimedMotion;
+use crate::motion_with_period::MotionWithPeriod;
 use toytop::{AttitudeState, Complex, ErrorBound};
 use toytop_closed_forms::Aperiodic;
 
@@ -24,7 +24,7 @@ const UPRIGHT: f64 = 40.0;
 
 impl AperiodicMotion {
     /// Closed form of a motion; `None` if the motion is not aperiodic.
-    pub fn new(motion: &TimedMotion) -> Option<Self> {
+    pub fn new(motion: &MotionWithPeriod) -> Option<Self> {
         let form = Aperiodic::new(motion)?;
         let mut upright = motion.characteristic_time();
         while form.v(upright) < UPRIGHT || form.v(-upright) > -UPRIGHT {

@@ -1,7 +1,7 @@
 //! Constants of a motion by name, with their meanings, and words for its regime and its tip curve.
 
+use crate::motion_with_period::{MotionWithPeriod, natural_time};
 use crate::start::{axis_at_start, momentum};
-use crate::timed_motion::{TimedMotion, natural_time};
 use Unit::{Any, Si};
 use core::f64::consts::PI;
 use toytop::scalar::{Float, Real};
@@ -38,7 +38,7 @@ pub struct Constant {
 }
 
 /// Function of a motion whose value is a number.
-pub type NumberOf = fn(&TimedMotion) -> f64;
+pub type NumberOf = fn(&MotionWithPeriod) -> f64;
 
 /// Value of a constant.
 #[derive(Clone, Copy)]
@@ -46,7 +46,7 @@ pub enum Value {
     /// Number; NaN where the motion does not have it.
     Number(NumberOf),
     /// Word.
-    Word(fn(&TimedMotion) -> &'static str),
+    Word(fn(&MotionWithPeriod) -> &'static str),
 }
 
 const fn number(name: &'static str, unit: Unit, meaning: &'static str, value: NumberOf) -> Constant {
@@ -56,7 +56,7 @@ const fn number(name: &'static str, unit: Unit, meaning: &'static str, value: Nu
 const fn word(
     name: &'static str,
     meaning: &'static str,
-    value: fn(&TimedMotion) -> &'static str,
+    value: fn(&MotionWithPeriod) -> &'static str,
 ) -> Constant {
     Constant { name, unit: Any(""), meaning, value: Value::Word(value) }
 }
@@ -227,7 +227,7 @@ pub fn tilts(motion: &Motion) -> [f64; 2] {
 }
 
 /// Mean rate of the axis about the vertical, turns/s.
-fn mean_precession(motion: &TimedMotion) -> f64 {
+fn mean_precession(motion: &MotionWithPeriod) -> f64 {
     motion.phi_per_period() / (2.0 * PI * motion.period())
 }
 

@@ -1,6 +1,6 @@
 //! Duration that a picture of a motion shows.
 
-use crate::timed_motion::TimedMotion;
+use crate::motion_with_period::MotionWithPeriod;
 use core::f64::consts::PI;
 use toytop::Regime;
 use toytop::scalar::Float;
@@ -9,7 +9,7 @@ use toytop::scalar::Float;
 /// the tip of an aperiodic motion stays at the centre.
 ///
 /// * `tip_distance`: distance of the tip from the centre at a time, which only an aperiodic motion needs
-pub fn display_duration(motion: &TimedMotion, tip_distance: impl Fn(f64) -> f64) -> f64 {
+pub fn display_duration(motion: &MotionWithPeriod, tip_distance: impl Fn(f64) -> f64) -> f64 {
     if motion.regime() != Regime::Aperiodic {
         return cycle(motion) * f64::from(periods(motion).unwrap_or(1));
     }
@@ -22,7 +22,7 @@ pub fn display_duration(motion: &TimedMotion, tip_distance: impl Fn(f64) -> f64)
 
 /// Time after which the axis repeats its motion, s: the nutation period, or a turn about the vertical where the tilt is constant. A motion
 /// that has neither gets its characteristic time.
-pub fn cycle(motion: &TimedMotion) -> f64 {
+pub fn cycle(motion: &MotionWithPeriod) -> f64 {
     let turn = 2.0 * PI / Float::abs(motion.phi_per_period()) * motion.period();
     match motion.regime() {
         Regime::Nutating => motion.period(),
@@ -33,7 +33,7 @@ pub fn cycle(motion: &TimedMotion) -> f64 {
 
 /// Number of nutation periods in which the tip goes round the centre once, within limits; `None` where the motion does not nutate. At least 3
 /// and at most 24; a very slow precession gets 3.
-pub fn periods(motion: &TimedMotion) -> Option<u32> {
+pub fn periods(motion: &MotionWithPeriod) -> Option<u32> {
     const MIN_PERIODS: u32 = 3;
     const MAX_PERIODS: u32 = 24;
     let once_round = 2.0 * PI / Float::abs(motion.phi_per_period());

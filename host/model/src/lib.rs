@@ -6,7 +6,7 @@
 //! | [`launch`] | launch of a motion from the numbers of a scenario |
 //! | [`equations`] | full 3-D equations of motion |
 //! | `start` | axis and angular momentum at t = 0 |
-//! | [`timed_motion`] | motion whose period is integrated once, and the ticks of its table |
+//! | [`motion_with_period`] | motion whose period is integrated once, and the ticks of its table |
 //! | [`constants`] | constants of a motion by name, with their units and meanings |
 //! | [`aperiodic`] | closed form of an aperiodic motion, which has no table |
 //! | [`display_duration`] | duration that a picture of a motion shows |
@@ -20,6 +20,6 @@ pub mod constants;
 pub mod display_duration;
 pub mod equations;
 pub mod launch;
+pub mod motion_with_period;
 pub mod parameters;
 mod start;
-pub mod timed_motion;

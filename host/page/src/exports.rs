@@ -12,8 +12,8 @@ use toytop::{Motion, ParameterError};
 use toytop_model::constants::{number_constants, regime, tip_class};
 use toytop_model::display_duration::display_duration;
 use toytop_model::launch::{KINDS, Launch};
+use toytop_model::motion_with_period::MotionWithPeriod;
 use toytop_model::parameters::{self, SUPPORTS, top_parameters};
-use toytop_model::timed_motion::TimedMotion;
 
 /// Points of a curve that one call computes at most.
 const POINTS: usize = 4096;
@@ -72,14 +72,14 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
     }
 }
 
-fn launched(support: u32, kind: u32) -> Result<TimedMotion, ParameterError> {
+fn launched(support: u32, kind: u32) -> Result<MotionWithPeriod, ParameterError> {
     let refused = |parameter| ParameterError::OutOfRange { parameter, allowed: "one of its words" };
     let (_, support) = *SUPPORTS.get(support as usize).ok_or(refused("support"))?;
     let (_, kind) = *KINDS.get(kind as usize).ok_or(refused("kind"))?;
     let numbers_of_top = from_fn(number);
     let top = parameters::top(support, &top_parameters(numbers_of_top))?;
     let launch = Launch::new(kind, from_fn(|i| number(numbers_of_top.len() + i)))?;
-    let motion = TimedMotion::new(launch.motion(&top)?);
+    let motion = MotionWithPeriod::new(launch.motion(&top)?);
     PAGE_MOTION.lock().set_up(&motion)?;
     Ok(motion)
 }

@@ -5,7 +5,7 @@ use toytop::{
     TableSettings, Workspace,
 };
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Motion by the table with the largest capacity that there is, or by the closed form if it is aperiodic.
 pub struct PageMotion {
@@ -37,7 +37,7 @@ impl PageMotion {
     ///
     /// # Errors
     /// `e3`: the motion is so close to the separatrix that no table holds it.
-    pub fn set_up(&mut self, motion: &TimedMotion) -> Result<(), ParameterError> {
+    pub fn set_up(&mut self, motion: &MotionWithPeriod) -> Result<(), ParameterError> {
         self.ticks_per_time = motion.ticks_per_time();
         self.closed_form = AperiodicMotion::new(motion).map_or(ClosedForm::None, ClosedForm::Some);
         let settings = TableSettings::new(motion.tick());

@@ -4,8 +4,8 @@ use toytop::scalar::Float;
 use toytop::{Motion, Pose, TableF64, Top};
 use toytop_model::constants::number_constants;
 use toytop_model::launch::{Kind, Launch};
+use toytop_model::motion_with_period::MotionWithPeriod;
 use toytop_model::parameters::top_parameters;
-use toytop_model::timed_motion::TimedMotion;
 use toytop_page::exports::launch_names;
 use toytop_page::page_motion::{PageMotion, pose_numbers};
 use toytop_page::runge_kutta::{MAX_STEPS, RungeKutta};
@@ -32,8 +32,8 @@ fn a_pose_is_the_cores() {
     on_a_large_stack(|| {
         let motion = thrown();
         let mut table = Box::new(PageMotion::EMPTY);
-        table.set_up(&TimedMotion::new(motion)).unwrap();
-        let core = TableF64::new(&motion, TimedMotion::new(motion).tick()).unwrap();
+        table.set_up(&MotionWithPeriod::new(motion)).unwrap();
+        let core = TableF64::new(&motion, MotionWithPeriod::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
             let [a, b, c, d, u, .., x, y] = pose_numbers(table.at(t));
             let Pose { orientation: phi, tip, .. } = core.at(t).pose();
@@ -47,7 +47,7 @@ fn a_pose_is_the_cores() {
 #[test]
 fn runge_kutta_drifts_as_its_step_says() {
     let motion = thrown();
-    let core = TableF64::new(&motion, TimedMotion::new(motion).tick()).unwrap();
+    let core = TableF64::new(&motion, MotionWithPeriod::new(motion).tick()).unwrap();
     for t in [0.5, -0.5] {
         let errors = [4e-4, 2e-4].map(|step| {
             let (reached, phi, _) = RungeKutta::new(&motion, step).advance_to(t);

@@ -6,7 +6,7 @@ use crate::top::TopCore;
 use pyo3::prelude::*;
 use toytop::{InitialAngles, Motion, Orientation, ParameterError, Release, Sign, Signs, State};
 use toytop_host::input::scenario::{Launch, fastest_rate};
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 #[pymethods]
 impl TopCore {
@@ -48,6 +48,6 @@ impl TopCore {
         let (signs, phases) = (Signs { l_plus_n, l_minus_n }, InitialAngles { theta, arg_alpha, arg_beta });
         let motion = Motion::from_branch_points(&self.top, e, signs, &phases)
             .map_err(|error| renamed(error, &[("theta", "nutation_phase")]))?;
-        Ok(MotionCore::new(*self, Launch::BranchPoints { e, signs, phases }, TimedMotion::new(motion)))
+        Ok(MotionCore::new(*self, Launch::BranchPoints { e, signs, phases }, MotionWithPeriod::new(motion)))
     }
 }

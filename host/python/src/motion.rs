@@ -20,7 +20,7 @@ use toytop_host::pictures::curve::TipCurve;
 use toytop_host::pictures::page;
 use toytop_host::reference::quadrature::Quadrature;
 use toytop_model::constants::{number_constants, regime, tip_class};
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Rust side of `toytop.Motion`.
 #[pyclass(module = "toytop._toytop", frozen)]
@@ -29,7 +29,7 @@ pub(crate) struct MotionCore {
     pub(crate) top: TopCore,
     pub(crate) launch: Launch,
     /// Motion with its period.
-    pub(crate) motion: TimedMotion,
+    pub(crate) motion: MotionWithPeriod,
     tables: [OnceLock<Result<SharedEvaluator, Failure>>; Scalar::ALL.len()],
     /// Motion in numbers of 640 bits.
     pub(crate) reference: OnceLock<Quadrature>,
@@ -45,7 +45,7 @@ pub(crate) fn scalar_named(name: &str) -> PyResult<Scalar> {
 }
 
 impl MotionCore {
-    pub(crate) fn new(top: TopCore, launch: Launch, motion: TimedMotion) -> Self {
+    pub(crate) fn new(top: TopCore, launch: Launch, motion: MotionWithPeriod) -> Self {
         Self { top, launch, motion, tables: Default::default(), reference: OnceLock::new() }
     }
 
@@ -55,7 +55,7 @@ impl MotionCore {
     /// `ValueError` that names the parameter.
     pub(crate) fn from_state(top: &TopCore, state: &State, rate: &str) -> PyResult<Self> {
         let motion = Motion::launch(&top.top, state).map_err(|error| renamed(error, &[("omega", rate)]))?;
-        Ok(Self::new(*top, Launch::from(state), TimedMotion::new(motion)))
+        Ok(Self::new(*top, Launch::from(state), MotionWithPeriod::new(motion)))
     }
 
     /// Table in a scalar, set up at its first use.

@@ -12,7 +12,7 @@ use toytop::Orientation;
 use toytop_host::motion::tip_angle::TipAngle;
 use toytop_host::motion::{column::SampleColumn, evaluator::MotionEvaluator, sample::MotionSample};
 use toytop_model::equations::Rates;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Quantities of samples that an array can hold.
 const COLUMNS: [SampleColumn; 11] = [
@@ -66,7 +66,7 @@ impl Sampler {
     pub(crate) fn by_method(
         py: Python<'_>,
         times: NumericArg,
-        motion: &TimedMotion,
+        motion: &MotionWithPeriod,
         error_bound: Option<f64>,
         at: impl Fn(f64) -> (Orientation<f64>, Rates) + Send + Sync,
     ) -> PyResult<Self> {

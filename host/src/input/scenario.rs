@@ -19,8 +19,8 @@ use toml::{Table, Value};
 use toytop::{InitialAngles, ParameterError, Support, Top, TopParameters};
 use toytop_model::constants::Unit;
 use toytop_model::launch::{KINDS, Kind};
+use toytop_model::motion_with_period::MotionWithPeriod;
 use toytop_model::parameters::{self, SUPPORTS};
-use toytop_model::timed_motion::TimedMotion;
 
 /// Units of a scenario's numbers.
 #[derive(Clone, Copy, PartialEq)]
@@ -57,9 +57,9 @@ impl MotionInput {
     ///
     /// # Errors
     /// The errors of a top, a state and a launch.
-    pub fn motion(&self) -> Result<TimedMotion, ParameterError> {
+    pub fn motion(&self) -> Result<MotionWithPeriod, ParameterError> {
         let top = parameters::top(self.support, &self.top)?;
-        self.launch.motion(&top).map(TimedMotion::new)
+        self.launch.motion(&top).map(MotionWithPeriod::new)
     }
 }
 
@@ -69,7 +69,7 @@ pub struct Scenario {
     /// Name in reports.
     pub name: String,
     /// Motion, with its top and its period.
-    pub motion: TimedMotion,
+    pub motion: MotionWithPeriod,
     /// Numbers of the top and of the launch, as they are given.
     pub input: MotionInput,
     /// Units of the numbers.
@@ -161,7 +161,7 @@ impl ScenarioFile {
         let (top, parameters) = top::read(&self.section("top")?)?;
         let (motion, launch) = motion::read(&self.section("motion")?, &top)?;
         let input = MotionInput { support: top.support(), top: parameters, launch };
-        Ok(Scenario { name: self.name.clone(), motion: TimedMotion::new(motion), input, units })
+        Ok(Scenario { name: self.name.clone(), motion: MotionWithPeriod::new(motion), input, units })
     }
 
     fn section(&self, name: &'static str) -> Result<Section<'_>, Failure> {

@@ -10,7 +10,7 @@ use crate::motion::times::require_within;
 use serde::Serialize;
 use std::f64::consts::PI;
 use toytop::Orientation;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Exact motion that trajectories are compared with.
 pub struct Scorer {
@@ -59,7 +59,7 @@ impl Scorer {
     ///
     /// # Errors
     /// [`Failure::method`]: no table is large enough.
-    pub fn new(motion: &TimedMotion, start_command: &str) -> Result<Self, Failure> {
+    pub fn new(motion: &MotionWithPeriod, start_command: &str) -> Result<Self, Failure> {
         let evaluator = MotionEvaluator::new(motion, Scalar::F64)?;
         Ok(Self { evaluator, start_command: start_command.to_owned() })
     }

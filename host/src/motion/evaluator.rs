@@ -20,7 +20,7 @@ use evaluate::Evaluate;
 use fixed::types::{I2F14, I2F30};
 use toytop::{ErrorBound, ParameterError, Pose, TableScalar, TableSettings};
 use toytop_model::aperiodic::AperiodicMotion;
-use toytop_model::timed_motion::{MAX_TICKS, TimedMotion};
+use toytop_model::motion_with_period::{MAX_TICKS, MotionWithPeriod};
 
 /// Evaluator of a motion: the core's table in any scalar and size, or the closed form of an aperiodic motion.
 pub struct MotionEvaluator {
@@ -33,16 +33,16 @@ pub struct MotionEvaluator {
     /// Upper bound on the error of ω, of Ω and of u', rad per unit time.
     pub rate_error_bound: ErrorBound,
     /// Motion, with its period.
-    pub motion: TimedMotion,
+    pub motion: MotionWithPeriod,
     evaluator: Box<dyn Evaluate>,
 }
 
 impl MotionEvaluator {
-    /// Smallest table of a motion, or the closed form of an aperiodic motion, in ticks of [`TimedMotion::tick`].
+    /// Smallest table of a motion, or the closed form of an aperiodic motion, in ticks of [`MotionWithPeriod::tick`].
     ///
     /// # Errors
     /// [`Failure::method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
-    pub fn new(motion: &TimedMotion, scalar: Scalar) -> Result<Self, Failure> {
+    pub fn new(motion: &MotionWithPeriod, scalar: Scalar) -> Result<Self, Failure> {
         Self::with_settings(motion, scalar, &TableSettings::new(motion.tick()))
     }
 
@@ -59,7 +59,7 @@ impl MotionEvaluator {
     /// # Errors
     /// As [`new`](Self::new).
     pub fn with_settings(
-        motion: &TimedMotion,
+        motion: &MotionWithPeriod,
         scalar: Scalar,
         settings: &TableSettings,
     ) -> Result<Self, Failure> {
@@ -75,7 +75,7 @@ impl MotionEvaluator {
         }
     }
 
-    fn with_closed_form(motion: &TimedMotion, form: AperiodicMotion) -> Self {
+    fn with_closed_form(motion: &MotionWithPeriod, form: AperiodicMotion) -> Self {
         Self {
             size: None,
             ticks_per_time: form.ticks_per_time,
@@ -87,7 +87,10 @@ impl MotionEvaluator {
     }
 
     /// Evaluator by the table with the least number of segments that is enough.
-    fn with_table<R: TableScalar>(motion: &TimedMotion, settings: &TableSettings) -> Result<Self, Failure>
+    fn with_table<R: TableScalar>(
+        motion: &MotionWithPeriod,
+        settings: &TableSettings,
+    ) -> Result<Self, Failure>
     where
         BoxedTable<R>: Evaluate + 'static,
     {
@@ -152,7 +155,7 @@ mod tests {
     use super::*;
     use toytop::{InitialAngles, Motion, Signs, Top, TopParameters};
 
-    fn motion(a: f64, e: [f64; 3]) -> TimedMotion {
+    fn motion(a: f64, e: [f64; 3]) -> MotionWithPeriod {
         let top = Top::sliding(&TopParameters {
             transverse_inertia: a,
             axial_inertia: 0.8 * a,
@@ -163,7 +166,7 @@ mod tests {
         })
         .unwrap();
         let motion = Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default());
-        TimedMotion::new(motion.unwrap())
+        MotionWithPeriod::new(motion.unwrap())
     }
 
     #[test]
@@ -188,8 +191,8 @@ mod tests {
     }
 
     /// Sizes that are chosen. Every smaller size is refused, and the motions of the test need every size.
-    fn sizes_chosen<R: TableScalar>(scalar: Scalar, motions: &[TimedMotion]) -> Vec<usize> {
-        let chosen = |motion: &TimedMotion| {
+    fn sizes_chosen<R: TableScalar>(scalar: Scalar, motions: &[MotionWithPeriod]) -> Vec<usize> {
+        let chosen = |motion: &MotionWithPeriod| {
             let [chosen, _] = MotionEvaluator::new(motion, scalar).unwrap().size.unwrap();
             let settings = TableSettings::new(motion.tick());
             for segments in (3..12).map(|n| 1 << n).filter(|&segments| (segments as usize) < chosen) {

@@ -96,7 +96,7 @@ impl<R: Real> TimedStepper<R> {
 mod tests {
     use super::*;
     use toytop::{InitialAngles, Signs, Top, TopParameters};
-    use toytop_model::timed_motion::TimedMotion;
+    use toytop_model::motion_with_period::MotionWithPeriod;
 
     fn motion() -> Motion {
         let top = Top::sliding(&TopParameters {
@@ -114,7 +114,7 @@ mod tests {
 
     /// Greatest difference of elapsed and requested time over a million requests, s: 0 in f64, the rounding of one last step in f32.
     fn greatest_gap<R: Real>() -> f64 {
-        let step = TimedMotion::new(motion()).characteristic_time() / 4096.0;
+        let step = MotionWithPeriod::new(motion()).characteristic_time() / 4096.0;
         let mut stepper = TimedStepper::<R>::new(&motion(), step);
         let gap = |i: u32| {
             let t = 0.3 * step * f64::from(i);

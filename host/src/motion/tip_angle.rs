@@ -6,7 +6,7 @@ use crate::motion::sample::MotionSample;
 use std::f64::consts::PI;
 use toytop::{Complex, Orientation, Pose, TipClass};
 use toytop_model::equations::Rates;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Least |αβ| from which the tip angle is computed: an error of 1e-14 in α and β changes its argument by 1e-5 rad.
 const MIN_PRODUCT: f64 = 1e-9;
@@ -15,12 +15,12 @@ const MIN_PRODUCT: f64 = 1e-9;
 pub struct TipAngle {
     /// Evaluator of the motion; `None` where the axis is vertical at all times, or no table is large enough.
     evaluator: Option<MotionEvaluator>,
-    motion: TimedMotion,
+    motion: MotionWithPeriod,
 }
 
 impl TipAngle {
     /// Tip angle of a motion. Samples have none where there is no evaluator.
-    pub fn new(motion: &TimedMotion) -> Self {
+    pub fn new(motion: &MotionWithPeriod) -> Self {
         let evaluator =
             MotionEvaluator::new(motion, Scalar::F64).ok().filter(|_| !motion.regime().is_vertical());
         Self { evaluator, motion: *motion }

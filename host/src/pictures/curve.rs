@@ -5,7 +5,7 @@ use crate::motion::Scalar;
 use crate::motion::evaluator::MotionEvaluator;
 use crate::pictures::{MAX_CYCLES, MotionSpan};
 use toytop::{Motion, Support};
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Limit of the tilt.
 pub struct TiltLimit {
@@ -57,7 +57,7 @@ impl TipCurve {
     ///
     /// # Errors
     /// [`Failure::method`]: no table is large enough.
-    pub fn new(motion: &TimedMotion) -> Result<Self, Failure> {
+    pub fn new(motion: &MotionWithPeriod) -> Result<Self, Failure> {
         Ok(Self::over(&MotionSpan::new(MotionEvaluator::new(motion, Scalar::F64)?, None, MAX_CYCLES)?))
     }
 
@@ -136,7 +136,7 @@ mod tests {
         })
         .unwrap();
         for (top, scale) in [(slid, -0.03), (held, 1.0)] {
-            let motion = TimedMotion::new(Motion::launch(&top, &state).unwrap());
+            let motion = MotionWithPeriod::new(Motion::launch(&top, &state).unwrap());
             let curve = TipCurve::new(&motion).unwrap();
             let [at_x, at_y] = curve.points[0];
             assert!((at_x - scale * x).hypot(at_y - scale * y) < 1e-6 * scale.abs(), "{at_x} {at_y}");

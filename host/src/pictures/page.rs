@@ -60,7 +60,7 @@ mod tests {
     use super::*;
     use std::sync::Mutex;
     use toytop::{InitialAngles, Motion, Orientation, Sign, Signs, Top, TopParameters};
-    use toytop_model::timed_motion::TimedMotion;
+    use toytop_model::motion_with_period::MotionWithPeriod;
 
     /// After a refusal the table has no motion, also if the motion before had a closed form.
     #[test]
@@ -78,7 +78,7 @@ mod tests {
             let top = Top::sliding(&parameters).unwrap();
             let signs = Signs { l_minus_n: Sign::Minus, ..Signs::default() };
             let motion = Motion::from_branch_points(&top, e, signs, &InitialAngles::default());
-            TimedMotion::new(motion.unwrap())
+            MotionWithPeriod::new(motion.unwrap())
         };
         let mut page_motion = PAGE_MOTION.lock().unwrap();
         page_motion.set_up(&motion([0.2, 1.0, 1.0])).unwrap();

@@ -11,12 +11,12 @@ use toytop_host::input::scenario::MotionInput;
 use toytop_host::reference::float640::{decimal, from_f64};
 use toytop_host::reference::quadrature::Quadrature;
 use toytop_model::equations::Rates;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Rust side of `toytop.ClosedForm`.
 #[pyclass(module = "toytop._toytop", frozen)]
 pub(crate) struct ClosedFormCore {
-    motion: TimedMotion,
+    motion: MotionWithPeriod,
     form: ClosedForm,
 }
 

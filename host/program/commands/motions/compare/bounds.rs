@@ -3,7 +3,7 @@
 use serde::Serialize;
 use toytop::{Motion, Regime};
 use toytop_host::motion::Scalar;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Steps in a period. In f64 the truncation of a step equals its rounding between 2048 and 8192 steps; in f32 it is below the rounding
 /// from 512 steps on.
@@ -68,7 +68,7 @@ const MAX_GROWTH: f64 = 1e4;
 
 /// Time of `periods` periods, s, or a shorter one with the reason: an aperiodic motion is followed until shortly before the axis reaches
 /// the vertical, from where the solution of the full equations falls again.
-pub fn compared_time(motion: &TimedMotion, periods: u32) -> (f64, Option<String>) {
+pub fn compared_time(motion: &MotionWithPeriod, periods: u32) -> (f64, Option<String>) {
     let time = motion.characteristic_time() * f64::from(periods);
     if motion.regime() != Regime::Aperiodic {
         return (time, None);

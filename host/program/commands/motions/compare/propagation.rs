@@ -9,7 +9,7 @@ use toytop_host::motion::Scalar;
 use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::motion::sample::MotionSample;
 use toytop_host::motion::stepper::TimedStepper;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Run of a propagator; empty where no table is large enough.
 #[derive(Default)]
@@ -44,7 +44,7 @@ fn timed_samples(times: &[f64], mut sample: impl FnMut(f64) -> MotionSample) -> 
 /// [`Failure::method`]: no table is large enough, or the motion is aperiodic and the scalar is not `f64`.
 pub fn propagate(
     (method, scalar): (Method, Scalar),
-    motion: &TimedMotion,
+    motion: &MotionWithPeriod,
     times: &[f64],
     periods: u32,
 ) -> Result<Propagation, Failure> {
@@ -57,7 +57,7 @@ pub fn propagate(
 }
 
 /// Run of the stepper through the times.
-fn propagate_by_stepper<R: Real>(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Propagation {
+fn propagate_by_stepper<R: Real>(scalar: Scalar, motion: &MotionWithPeriod, times: &[f64]) -> Propagation {
     let step = motion.characteristic_time() / f64::from(steps_per_period(scalar));
     let mut timed = TimedStepper::<R>::new(motion, step);
     let (samples, ns) = timed_samples(times, |t| {
@@ -69,7 +69,11 @@ fn propagate_by_stepper<R: Real>(scalar: Scalar, motion: &TimedMotion, times: &[
 }
 
 /// Run of a table or a closed form at the times.
-fn propagate_by_table(scalar: Scalar, motion: &TimedMotion, times: &[f64]) -> Result<Propagation, Failure> {
+fn propagate_by_table(
+    scalar: Scalar,
+    motion: &MotionWithPeriod,
+    times: &[f64],
+) -> Result<Propagation, Failure> {
     let evaluator = MotionEvaluator::new(motion, scalar)?;
     let (samples, ns) = timed_samples(times, |t| evaluator.at(t));
     let ticks = times.last().map_or(0.0, |last| last * evaluator.ticks_per_time);

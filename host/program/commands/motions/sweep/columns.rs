@@ -12,7 +12,7 @@ use toytop_host::motion::evaluator::MotionEvaluator;
 use toytop_host::motion::times::spread_times;
 use toytop_host::output::constant_as_json;
 use toytop_model::constants::{CONSTANTS, Constant};
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Column of a sweep.
 #[derive(Clone, Copy)]
@@ -91,7 +91,7 @@ impl SweepColumn {
 
 /// Motion of a row, with its tables as far as columns need them.
 pub struct RowMotion {
-    motion: TimedMotion,
+    motion: MotionWithPeriod,
     times: Vec<f64>,
     f64_evaluator: OnceCell<Option<MotionEvaluator>>,
     f32_table: OnceCell<Option<MotionEvaluator>>,
@@ -99,7 +99,7 @@ pub struct RowMotion {
 
 impl RowMotion {
     /// Motion with `count` times spread over this many periods.
-    pub fn new(motion: TimedMotion, count: u32, periods: f64) -> Self {
+    pub fn new(motion: MotionWithPeriod, count: u32, periods: f64) -> Self {
         let times = spread_times(periods * motion.characteristic_time(), count);
         Self { motion, times, f64_evaluator: OnceCell::new(), f32_table: OnceCell::new() }
     }

@@ -9,7 +9,7 @@ use toytop_host::Failure;
 use toytop_host::input::scenario::{ScenarioFile, full_name};
 use toytop_host::output::{csv_line, significant};
 use toytop_host::random::Random;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Greatest number of motions.
 pub const MAX_MOTIONS: u64 = 1_000_000_000_000;
@@ -91,7 +91,7 @@ impl Sweep {
         self.varied.iter().map(number).collect()
     }
 
-    fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<TimedMotion, Failure> {
+    fn motion(&self, numbers: &[(&'static str, f64)]) -> Result<MotionWithPeriod, Failure> {
         Ok(self.template.with_numbers(numbers)?.motion)
     }
 

@@ -33,7 +33,7 @@ pub struct Film<'a> {
 
 impl Film<'_> {
     /// Lower and upper end of the axis.
-    fn ends(&self, t: f64) -> [[f64; 3]; 2] {
+    fn ends_of_axis(&self, t: f64) -> [[f64; 3]; 2] {
         let [x, y, z] = self.span.at(t).pose.orientation.axis();
         let tip = match self.scenario.motion.top().support() {
             // the centre of mass stays above one point of the plane
@@ -48,7 +48,7 @@ impl Film<'_> {
         let share = frame as f64 / (self.frames.max(2) - 1) as f64;
         let t = self.span.times(self.frames).nth(frame as usize).unwrap_or_default();
         let orientation = self.span.at(t).pose.orientation;
-        let [tip, end] = self.ends(t);
+        let [tip, end] = self.ends_of_axis(t);
         let mut scene = Scene::new(SIDE, SIDE);
         let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);
         for radius in [0.5, 1.0] {
@@ -57,7 +57,7 @@ impl Film<'_> {
         // what leaves a trace is the tip that slides, or the upper end of the axis
         let traced = usize::from(self.scenario.motion.top().support() != Support::Sliding);
         let count = ((share * PATH as f64) as usize).max(1);
-        let path: Vec<_> = self.span.times(PATH).take(count).map(|t| self.ends(t)[traced]).collect();
+        let path: Vec<_> = self.span.times(PATH).take(count).map(|t| self.ends_of_axis(t)[traced]).collect();
         camera.line(&mut scene, &path, CURVE_COLOR, 1.6);
         camera.line(&mut scene, &[tip, end], CAPTION_COLOR, 4.0);
         // disc about the centre of mass, with spokes that turn with the body

@@ -14,7 +14,7 @@ use std::process::Command;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use toytop::{Complex, Motion, Orientation};
 use toytop_host::input::scenario::Scenario;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 use toytop_page::page_motion::PageMotion;
 
 /// The document at the end of a minute of Chromium's virtual time, and the lines of its console.
@@ -80,7 +80,7 @@ fn complex(value: &Value) -> Complex<f64> {
 fn core_of(motion: &Motion) -> MutexGuard<'static, PageMotion> {
     static TABLE: Mutex<PageMotion> = Mutex::new(PageMotion::EMPTY);
     let mut table = TABLE.lock().unwrap_or_else(PoisonError::into_inner);
-    table.set_up(&TimedMotion::new(*motion)).expect("it fits");
+    table.set_up(&MotionWithPeriod::new(*motion)).expect("it fits");
     table
 }
 

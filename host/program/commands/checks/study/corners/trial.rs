@@ -9,7 +9,7 @@ use toytop_host::motion::evaluator::{EventKind, EventQuery, MotionEvaluator};
 use toytop_host::random::Random;
 use toytop_host::reference::float640::{Float640, from_f64, from_i64, to_i64};
 use toytop_host::reference::quadrature::Quadrature;
-use toytop_model::timed_motion::TimedMotion;
+use toytop_model::motion_with_period::MotionWithPeriod;
 
 /// Launch that was tried.
 pub struct Trial {
@@ -150,7 +150,11 @@ fn nearest(tick: i64, place: &Float640, period: &Float640) -> Option<i64> {
 }
 
 /// For each scalar, the tick of the first period at which its rates differ most from a finer table.
-fn most_different_rates(tables: &[Option<MotionEvaluator>], motion: &TimedMotion, period: f64) -> Vec<i64> {
+fn most_different_rates(
+    tables: &[Option<MotionEvaluator>],
+    motion: &MotionWithPeriod,
+    period: f64,
+) -> Vec<i64> {
     let settings = TableSettings { truncation: Some(FINE_TRUNCATION), ..TableSettings::new(motion.tick()) };
     let finer = MotionEvaluator::with_settings(motion, Scalar::F64, &settings);
     let Ok(finer) = finer else { return Vec::new() };

@@ -11,12 +11,12 @@ pub const MAX_TICKS: f64 = (1_u64 << 62) as f64;
 
 /// Motion with its period, which is integrated once.
 #[derive(Clone, Copy)]
-pub struct TimedMotion {
+pub struct MotionWithPeriod {
     motion: Motion,
     advance: Option<PeriodAdvance>,
 }
 
-impl TimedMotion {
+impl MotionWithPeriod {
     /// Motion with its period, which is integrated here.
     pub fn new(motion: Motion) -> Self {
         Self { motion, advance: motion.period_advance() }
@@ -86,7 +86,7 @@ impl TimedMotion {
     }
 }
 
-impl Deref for TimedMotion {
+impl Deref for MotionWithPeriod {
     type Target = Motion;
 
     fn deref(&self) -> &Motion {
@@ -96,7 +96,7 @@ impl Deref for TimedMotion {
 
 /// Natural time T₀ = 2π √((A/p + s)/g) of the top for motions that have no period, s. Without torque it is the time in which
 /// the axis turns once about the angular momentum, and 1 for a body at rest.
-pub(crate) fn natural_time(motion: &TimedMotion) -> f64 {
+pub(crate) fn natural_time(motion: &MotionWithPeriod) -> f64 {
     let top = motion.top();
     if top.is_torque_free() {
         return motion.advance.map_or(1.0, |advance| advance.period);
