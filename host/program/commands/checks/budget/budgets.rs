@@ -24,7 +24,7 @@ const MAX_FLASH_S: u64 = 80_000;
 /// First lines of the file.
 const HEAD: &str = "\
 # Cost of each call on each chip, as it was measured. `cargo xtask test` measures every call on m0plus and m4f, with --all on every
-# chip, and fails where a figure is more than 5 % above this one, or ram above it at all, or a figure less than four fifths of it.
+# chip, and fails where a figure is more than 5 % above this one (ram: above it at all), or less than four fifths of it.
 #
 # To change them: see what costs more and why (`cargo run --release --bin toytop -- budget`), then
 #     cargo run --release --bin toytop -- budget --accept
