@@ -19,7 +19,7 @@ use crate::inverse::solve_increasing;
 use crate::orientation::ArgumentOffsets;
 use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
-use toytop::internal::{aperiodic_v, branch_points, first_integrals, top_constants};
+use toytop::internal::Unrounded;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -96,14 +96,13 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let v = Extended::from(aperiodic_v(motion)?);
-        let e = branch_points(motion);
-        let [a, _, s, p, g, _] = top_constants(motion.top());
+        let Unrounded { a, s, p, g, e, integrals, aperiodic_v, .. } = motion.into();
+        let v = Extended::from(aperiodic_v?);
         let one_minus_e1 = e.one_minus_e1();
         let constants =
             AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };
         let form = match motion.top().support() {
-            Support::Sliding => Form::Sliding(Sliding::new(&constants, first_integrals(motion).l / a)),
+            Support::Sliding => Form::Sliding(Sliding::new(&constants, integrals.l / a)),
             // the axis of a free body does not rise to the vertical
             Support::Fixed | Support::Free => {
                 Form::FixedTip(FixedTip::new(&constants, motion.signs().l_plus_n))

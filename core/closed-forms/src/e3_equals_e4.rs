@@ -18,7 +18,7 @@ use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::inverse::solve_increasing;
 use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, elliptic_integral, zeros};
-use toytop::internal::{branch_points, first_integrals, half_phase, top_constants};
+use toytop::internal::Unrounded;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -54,12 +54,11 @@ impl E3EqualsE4 {
     /// - e₄²| relative to e₄² - 1, and |e₃ - e₄| relative to e₃ - e₂.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let chi = half_phase(motion)?;
+        let Unrounded { a, s, g, e, integrals, half_phase, .. } = motion.into();
+        let chi = half_phase?;
         if motion.top().support() != Support::Sliding || !e3_is_e4(motion) {
             return None;
         }
-        let e = branch_points(motion);
-        let [transverse_inertia, _, s, _, g, _] = top_constants(motion.top());
         let e2_plus_e3 = e.one_plus_e3() - e.one_minus_e2;
         let e1_plus_e3 = e.one_plus_e1 + e.e3_minus_one;
         let lattice = Lattice::from_gaps(e.e2_minus_e1, e1_plus_e3);
@@ -74,10 +73,9 @@ impl E3EqualsE4 {
         let [alpha_size, beta_size] = [e.one_plus_e2(), e.one_minus_e1()].map(|x| x.halved().sqrt());
         // w₋₁/(2(e₃ - 1)) = √(s/2g) (l + n)/A, and w₊₁ likewise
         let quotient = |half, zero, momentum: Extended, point| {
-            let rate_offset = real((time_scale * momentum / transverse_inertia).halved());
+            let rate_offset = real((time_scale * momentum / a).halved());
             ThetaQuotient::through(&lattice, [half, LatticeHalfPeriod::Omega], zero, rate_offset, point)
         };
-        let integrals = first_integrals(motion);
         let alpha =
             quotient(LatticeHalfPeriod::OmegaPrime, alpha_zero, integrals.l_plus_n, (highest, alpha_size));
         let beta = quotient(LatticeHalfPeriod::Origin, beta_zero, -integrals.l_minus_n, (lowest, beta_size));
@@ -118,23 +116,23 @@ impl E3EqualsE4 {
 }
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
-fn squares(motion: &Motion) -> [Extended; 2] {
-    let e = branch_points(motion);
-    let [a, _, s, p, ..] = top_constants(motion.top());
+fn squares(&Unrounded { a, s, p, e, .. }: &Unrounded<'_>) -> [Extended; 2] {
     let a_over_ps = a / (p * s);
     [e.e3_minus_one * e.one_plus_e3() - a_over_ps, a_over_ps]
 }
 
 /// Difference e₃ - e₄ for a sliding tip.
 pub(super) fn e3_minus_e4(motion: &Motion) -> f64 {
-    let [apart, a_over_ps] = squares(motion);
-    (apart / (branch_points(motion).e3 + (Extended::ONE + a_over_ps).sqrt())).to_f64()
+    let constants = motion.into();
+    let [apart, a_over_ps] = squares(&constants);
+    (apart / (constants.e.e3 + (Extended::ONE + a_over_ps).sqrt())).to_f64()
 }
 
 /// Whether e₃ = e₄ to the tolerance.
 fn e3_is_e4(motion: &Motion) -> bool {
-    let e = branch_points(motion);
-    let [apart, a_over_ps] = squares(motion);
+    let constants = motion.into();
+    let [apart, a_over_ps] = squares(&constants);
+    let e = constants.e;
     let allowed = Extended::from(E3EqualsE4::TOLERANCE);
     apart.abs() <= a_over_ps * allowed && apart.abs() <= e.e3_minus_e2 * e.e3.doubled() * allowed
 }

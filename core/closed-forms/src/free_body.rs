@@ -9,7 +9,7 @@
 //!
 //! The formula needs neither branch points nor a table.
 
-use toytop::internal::{half_phase, half_tau, phase_equations, top_constants};
+use toytop::internal::Unrounded;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, add_scaled, dot, scaled};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -36,11 +36,13 @@ impl FreeBody {
         if !motion.top().is_torque_free() {
             return None;
         }
-        let [a, c, .., k] = top_constants(motion.top()).map(Float::to_f64);
+        let Unrounded { equations, half_tau, half_phase, .. } = motion.into();
+        let top = motion.top();
+        let a = top.transverse_inertia();
         let attitude = motion.attitude_at_launch();
         let r = attitude.orientation.axis();
         let omega = attitude.omega();
-        let excess_momentum = (c - a) * dot(omega, r) + k;
+        let excess_momentum = (top.axial_inertia() - a) * dot(omega, r) + top.rotor_momentum();
         let m = add_scaled(scaled(omega, a), r, excess_momentum);
         let length = Float::sqrt(dot(m, m));
         Some(Self {
@@ -51,9 +53,9 @@ impl FreeBody {
                 [0.0; 3]
             },
             // χ advances by half a turn in a turn of the axis
-            precession: phase_equations(motion).rates(Extended::ZERO, Extended::ONE).chi.doubled(),
-            half_tau: half_tau(motion),
-            nutation: half_phase(motion),
+            precession: equations.rates(Extended::ZERO, Extended::ONE).chi.doubled(),
+            half_tau,
+            nutation: half_phase,
         })
     }
 

@@ -14,7 +14,7 @@ use crate::elliptic::elementary::{ValueAndSlope, imaginary, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, elliptic_integral, zeros};
-use toytop::internal::{branch_points, half_phase, top_constants};
+use toytop::internal::Unrounded;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Regime, Support};
 
@@ -42,8 +42,8 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let e = branch_points(motion);
-        let chi = half_phase(motion)?;
+        let Unrounded { a, p, g, e, half_phase, .. } = motion.into();
+        let chi = half_phase?;
         if motion.top().support() != Support::Fixed
             || motion.top().is_torque_free()
             || motion.regime() == Regime::Aperiodic
@@ -54,7 +54,6 @@ impl Lagrange {
         let gap = e.e3_minus_e2;
         let lattice = Lattice::from_gaps(gap, swing);
         let [half, _] = lattice.half_periods;
-        let [a, _, _, p, g, _] = top_constants(motion.top());
         let z_rate = (p * g / a).halved().sqrt();
 
         // along imaginary z

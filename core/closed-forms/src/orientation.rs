@@ -1,9 +1,7 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period.
 
 use crate::elliptic::elementary::{ValueAndSlope, angle, rounded, sine_cosine_of_phase};
-use toytop::internal::{
-    Ellipse, Ellipses, branch_points, half_phase, half_tau, phase_equations, slow_phases,
-};
+use toytop::internal::{Ellipse, Ellipses, Unrounded};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -25,20 +23,21 @@ impl ArgumentOffsets {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let (im, re) = sine_cosine_of_phase(half_phase(motion).unwrap_or_default());
-        let rates = phase_equations(motion).rates(im, re);
+        let Unrounded { e, equations, half_tau, half_phase, slow_phases, .. } = motion.into();
+        let (im, re) = sine_cosine_of_phase(half_phase.unwrap_or_default());
+        let rates = equations.rates(im, re);
         let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
             let z = ellipse.slow_phase(Complex::new(re, im), [rates.chi, psi], [value, slope]);
             angle(z.im, z.re).radians_to_turns().to_phase()
         };
-        let ellipses = Ellipses::oscillating(branch_points(motion), motion.signs(), |x| x);
+        let ellipses = Ellipses::oscillating(e, motion.signs(), |x| x);
         let [alpha, beta] = closed;
-        let [alpha_phase, beta_phase] = slow_phases(motion);
+        let [alpha_phase, beta_phase] = slow_phases;
         let angles = [
             alpha_phase - argument(ellipses.alpha, rates.psi_alpha, alpha),
             beta_phase - argument(ellipses.beta, rates.psi_beta, beta),
         ];
-        Self { angles, half_tau: half_tau(motion) }
+        Self { angles, half_tau }
     }
 
     /// Attitude state at t, from α, β and their time derivatives in the closed form, and the rotation of α and β over

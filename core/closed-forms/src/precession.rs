@@ -10,7 +10,7 @@
 //!
 //! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
-use toytop::internal::{branch_points, check, check_finite, first_integrals, top_constants};
+use toytop::internal::{Unrounded, check, check_finite};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Top};
@@ -56,9 +56,7 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let e = branch_points(motion);
-        let top = motion.top();
-        let [a, _, s, p, g, _] = top_constants(top);
+        let Unrounded { a, s, p, g, e, integrals, .. } = motion.into();
         let falls = regime == Regime::SleepingUnstable;
         let zero = Extended::ZERO;
         let one = Extended::ONE;
@@ -71,7 +69,7 @@ impl RegularPrecession {
         // for different signs √(e₃ + 1) - √(e₃ - 1), without cancellation
         let roots = if l_plus_n == l_minus_n { sum } else { one.doubled() / sum };
         let precession = l_plus_n.times((p * g / a).halved().sqrt() * roots);
-        let axial = first_integrals(motion).spin;
+        let axial = integrals.spin;
         let u = if one_minus_u < one_plus_u { one - one_minus_u } else { one_plus_u - one };
         // φ' ± ψ' with ψ' = ⟨ω, r⟩ - u φ'
         let argument_rates =
@@ -180,9 +178,10 @@ impl SteadyPrecession {
         check_finite("spin", spin)?;
         check(tilt > 0.0 && tilt < core::f64::consts::PI, "tilt", "strictly between 0 and pi")?;
         check(Float::abs(spin) <= 1e11, "spin", "between -1e11 and 1e11 rad/s")?;
-        let [a, c, _, p, g, k] = top_constants(top).map(Float::to_f64);
-        let n = c * spin + k;
-        let weight = p * g;
+        let a = top.transverse_inertia();
+        let k = top.rotor_momentum();
+        let n = top.axial_inertia() * spin + k;
+        let weight = top.mass_moment() * top.gravity();
         // the f64 nearest to π/2 means a horizontal axis
         let e = if tilt == core::f64::consts::FRAC_PI_2 { 0.0 } else { libm::cos(tilt) };
         let least = Float::sqrt(4.0 * a * e * weight);
@@ -192,7 +191,7 @@ impl SteadyPrecession {
         }
         if e >= 0.0 && (above_least < 0.0 || n == 0.0) {
             let opposite = if n < 0.0 { k } else { -k };
-            return Ok(Self::None { least_spin: (least + opposite) / c });
+            return Ok(Self::None { least_spin: (least + opposite) / top.axial_inertia() });
         }
         let root = if e > 0.0 {
             Float::sqrt(above_least * (Float::abs(n) + least))

@@ -1,48 +1,56 @@
-//! Unrounded parts of a motion, for the crates beside this one.
+//! Constants of a motion before they are rounded, for the crates beside this one.
 
+use crate::body::Top;
+use crate::constants::{BranchPoints, FirstIntegrals};
 use crate::motion::Motion;
 use crate::motion::phase_equations::PhaseEquations;
+use crate::phase::Phase;
 use crate::scalar::Extended;
-use crate::{BranchPoints, FirstIntegrals, Phase, Top};
 
-/// Unrounded A, C, s, p, g and K of a top.
-pub fn top_constants(top: &Top) -> [Extended; 6] {
-    [top.a, top.c, top.s, top.p, top.g, top.k]
+/// Constants of a motion in extended precision.
+pub struct Unrounded<'a> {
+    /// Transverse moment of inertia A.
+    pub a: Extended,
+    /// Height s of the centre of mass.
+    pub s: Extended,
+    /// Mass moment p.
+    pub p: Extended,
+    /// Gravity g.
+    pub g: Extended,
+    /// Branch points.
+    pub e: &'a BranchPoints<Extended>,
+    /// First integrals.
+    pub integrals: &'a FirstIntegrals<Extended>,
+    /// Phase equations.
+    pub equations: PhaseEquations<Extended>,
+    /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
+    pub half_tau: Extended,
+    /// Half phase χ at t = 0; `None` for a steady motion.
+    pub half_phase: Option<Phase>,
+    /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
+    pub aperiodic_v: Option<f64>,
+    /// Slow phases of α and β at t = 0.
+    pub slow_phases: [Phase; 2],
 }
 
-/// Unrounded branch points of a motion.
-pub fn branch_points(motion: &Motion) -> &BranchPoints<Extended> {
-    &motion.e
-}
-
-/// Unrounded first integrals of a motion.
-pub fn first_integrals(motion: &Motion) -> &FirstIntegrals<Extended> {
-    &motion.integrals
-}
-
-/// Half of τ = ⟨ω, r⟩ - n/A of a motion, rad/s.
-pub fn half_tau(motion: &Motion) -> Extended {
-    motion.half_tau
-}
-
-/// Half phase χ of a motion at t = 0; `None` for a steady motion.
-pub fn half_phase(motion: &Motion) -> Option<Phase> {
-    motion.half_phase
-}
-
-/// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
-pub fn aperiodic_v(motion: &Motion) -> Option<f64> {
-    motion.aperiodic_v()
-}
-
-/// Phase equations of a motion.
-pub fn phase_equations(motion: &Motion) -> PhaseEquations<Extended> {
-    motion.equations()
-}
-
-/// Slow phases of α and β at t = 0.
-pub fn slow_phases(motion: &Motion) -> [Phase; 2] {
-    motion.slow_phases
+impl<'a> From<&'a Motion> for Unrounded<'a> {
+    fn from(motion: &'a Motion) -> Self {
+        let Motion { top: Top { a, s, p, g, .. }, e, integrals, half_tau, half_phase, slow_phases, .. } =
+            motion;
+        Self {
+            a: *a,
+            s: *s,
+            p: *p,
+            g: *g,
+            e,
+            integrals,
+            equations: motion.equations(),
+            half_tau: *half_tau,
+            half_phase: *half_phase,
+            aperiodic_v: motion.aperiodic_v(),
+            slow_phases: *slow_phases,
+        }
+    }
 }
 
 /// Unrounded period of a motion, s, and its rotations about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT;
