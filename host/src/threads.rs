@@ -7,8 +7,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 /// Stack of a thread, bytes: far more than the 1.5 MB of the largest table's set-up, because memory that is not touched costs nothing.
 pub const STACK: usize = 1 << 25;
 
-/// Thread pool of one call, with a thread for each processor core. A pool of the process would be lost in a forked process, and the calls of
-/// two threads would wait for each other.
+/// Thread pool of one call, with a thread for each processor core. A pool shared by the process would not exist after a fork, and two calling
+/// threads would block each other.
 ///
 /// # Errors
 /// [`Failure::tool`]: the system cannot start the threads.

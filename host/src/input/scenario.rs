@@ -143,7 +143,7 @@ impl ScenarioFile {
     /// Scenario.
     ///
     /// # Errors
-    /// [`Failure::input`]: not the tables `[top]` and `[motion]` with exactly the keys they need, in range.
+    /// [`Failure::input`]: a table or a key is missing, unknown, not needed, or out of range.
     pub fn scenario(&self) -> Result<Scenario, Failure> {
         self.scenario_of_this_file().map_err(|failure| failure.at(&self.file))
     }

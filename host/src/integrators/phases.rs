@@ -93,7 +93,7 @@ impl PhaseFit<'_> {
     }
 
     /// Angles in the middle of the rows with their change in a period, and the root of the mean square of the remaining rotation, by
-    /// Gauss-Newton iteration. With the change, an error of a rate is not mistaken for one of another angle.
+    /// Gauss-Newton iteration. The change is fitted too; otherwise an error of a rate would appear as an error of another angle.
     fn fit_rows(&self, rows: &[TrajectoryRow], mut angles: Vector6<f64>) -> (Vector6<f64>, Option<f64>) {
         const MAX_STEPS: usize = 20;
         const SMALL_STEP: f64 = 1e-3;

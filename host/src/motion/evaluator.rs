@@ -54,7 +54,7 @@ impl MotionEvaluator {
         Self::new(&scenario.motion, Scalar::F64).map_err(|failure| failure.at(&scenario.name))
     }
 
-    /// Evaluator as [`new`](Self::new) makes it, with other settings of its table, which a closed form does not have.
+    /// Evaluator as [`new`](Self::new) makes it, with other settings of its table. A closed form ignores them: its tick is that of the motion.
     ///
     /// # Errors
     /// As [`new`](Self::new).

@@ -14,7 +14,7 @@ pub struct MotionSample {
     pub pose: Pose<f64, f64>,
     /// Angular velocities, and rate of u.
     pub rates: Rates,
-    /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times.
+    /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times or the motion has no table.
     pub tip_angle: Option<f64>,
     /// Upper bound on the error of the orientation, rad, where the method has one.
     pub error_bound: Option<f64>,

@@ -1,4 +1,4 @@
-//! Tools that some steps need besides cargo. Each is installed at its first use, by rustup, cargo or Debian's packages.
+//! Tools that some steps need besides cargo. They are installed before the first step, by rustup, cargo, pip or Debian's packages.
 
 use std::process::Command;
 use std::time::Duration;

@@ -57,8 +57,8 @@ pub struct BudgetArgs {
     /// Measure all chips, and rewrite that file and the tables of host/docs/costs.md and README.md
     #[arg(long, conflicts_with_all = ["chip", "clock", "elf", "check", "flash", "format"])]
     accept: bool,
-    /// Measure the set-up of 200 different launches: median and greatest cost on each chip; with --accept, on those with a model
-    /// of their cycles, for the table in host/docs/costs.md
+    /// Measure the set-up of 200 different launches: median and greatest cost on each chip. With --accept, only chips whose cycles have a model
+    /// are measured, and the table in host/docs/costs.md is rewritten
     #[arg(long, group = "measurement")]
     corpus: bool,
     /// Compile for little flash (opt-level s) instead of speed

@@ -34,13 +34,13 @@ pub struct CompareArgs {
     /// Scenario files; without any, the built-in motions
     #[arg(value_name = "SCENARIO")]
     scenarios: Vec<PathBuf>,
-    /// Nutation periods to compare over; a motion without one takes 2 pi sqrt((A/p + s)/g)
+    /// Time to compare over, nutation periods; for a motion without a period the unit is 2 pi sqrt((A/p + s)/g)
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u32).range(1..=10_000))]
     periods: u32,
     /// Scalar types of the core
     #[arg(long, value_name = "LIST", default_value = "all", value_parser = scalars)]
     scalar: Scalars,
-    /// Form of the output. CSV and JSON have a row for each method and scalar, with all errors
+    /// Form of the output. CSV and JSON have a row for each method and scalar
     #[arg(long, default_value = "table")]
     format: Format,
 }

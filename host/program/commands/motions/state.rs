@@ -58,7 +58,7 @@ pub struct StateArgs {
     /// Ticks in a second, for --ticks: N, or A/B for A ticks in B seconds; by default 1000
     #[arg(long, value_name = "N", value_parser = hertz, conflicts_with_all = ["times", "times_file", "from"])]
     hertz: Option<[u32; 2]>,
-    /// Columns, in output order; JSON always adds error_bound. By default t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound, and in JSON gamma,delta
+    /// Columns in their order; JSON always has error_bound too. Default: t,u,udot,alpha,beta,quaternion,omega,tip,phi,error_bound; in JSON also gamma,delta
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     columns: Vec<SampleColumn>,
     /// Form of the output

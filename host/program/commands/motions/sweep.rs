@@ -42,7 +42,7 @@ pub struct SweepArgs {
     /// Nutation of a release, rad/s
     #[arg(long, value_name = "VALUES", allow_hyphen_values = true)]
     nutation: Option<Values>,
-    /// Any number of the scenario, in the unit of its key: --vary com_height=0.02..0.04/21
+    /// Any number of the scenario but alpha, beta and omega, in the unit of its key: --vary com_height=0.02..0.04/21
     #[arg(long, value_name = "KEY=VALUES", value_parser = key_and_values)]
     vary: Vec<(String, Values)>,
     /// Number of random motions; without it, all combinations of the grid

@@ -1,4 +1,4 @@
-//! Picture of a curve, for a white page.
+//! Curve of the tip, or of the axis if the tip is held, between its bounding circles.
 
 use crate::drawing::{ACCENT_COLOR, BOUND_COLOR, CAPTION_COLOR, CURVE_COLOR, frame, label_above, text};
 use kuva::plot::scatter::ScatterPlot;
