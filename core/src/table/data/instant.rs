@@ -64,3 +64,32 @@ impl From<Extended> for Instant {
         Self::new(tick, fraction.to_phase())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_time_becomes_whole_ticks_and_a_fraction() {
+        let least = Phase::from_bits(1);
+        for (t, rate, tick, fraction) in [
+            (0.75, [1.0, 0.0], 0, Phase::QUARTER * 3),
+            (-0.25, [9.0, 0.0], -3, Phase::from_turns(0.75)),
+            // the two parts give whole ticks together
+            (4.0, [2.25, 0.5], 11, Phase::ZERO),
+            (3.0, [0.25, 0.25], 1, Phase::HALF),
+            (-1e-300, [1000.0, 0.0], -1, Phase::TURN - least),
+            (1e-300, [1000.0, 0.0], 0, Phase::ZERO),
+            (2_f64.powi(90), [8.0, 0.0], 1 << 93, Phase::ZERO),
+            (1e300, [8.0, 0.0], 0, Phase::ZERO),
+            (f64::NAN, [1000.0, 0.0], 0, Phase::ZERO),
+            (f64::INFINITY, [1000.0, 0.0], 0, Phase::ZERO),
+        ] {
+            let found = Instant::at_time(t, rate);
+            assert_eq!((found.tick, found.fraction), (tick, fraction), "{t} {rate:?}");
+        }
+        let nearly = Extended::from_f64_pair([3.0, -1e-31]);
+        let found = Instant::from(nearly);
+        assert_eq!((found.tick, found.fraction), (3, Phase::ZERO), "rounded to a whole tick");
+    }
+}
