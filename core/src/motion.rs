@@ -65,7 +65,7 @@ impl Motion {
         TipClass::new(self.regime, &self.e, self.signs)
     }
 
-    /// First integrals l, n and h.
+    /// First integrals l, n and h, and numbers that follow from them.
     pub fn first_integrals(&self) -> FirstIntegrals {
         self.integrals.map(Float::to_f64)
     }

@@ -6,7 +6,7 @@
 //! |---|---|---|---|---|
 //! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
 //! | [`Scalar`] | sine and cosine of an integer phase: the numbers of orientations | yes | no | yes |
-//! | [`Float`] | division, square root, conversion: what *set-up* needs | yes | yes | no |
+//! | [`Float`] | division, square root, conversion: what launch and *set-up* need | yes | yes | no |
 //! | [`Real`] | `Scalar` and `Float`, an arctangent and an exponential: what a *stepper*, a fit, and lengths and rates need | yes | no | no |
 
 mod wide;

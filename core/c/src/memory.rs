@@ -39,8 +39,7 @@ struct Tagged<T> {
 /// Value of type `T` in a C structure of at least its size, `P`.
 ///
 /// # Safety
-/// The pointer is null or valid for reading a `P`, which is of plain words; and those are unchanged since [`store`] wrote them, if
-/// their tag is that of `T`.
+/// The pointer is null or valid for reading a `P` of plain words. If they have the tag of `T`, they are as [`store`] wrote them.
 pub(crate) unsafe fn load<P, T: Opaque>(place: *const P) -> Result<T, Refusal> {
     const { assert!(size_of::<Tagged<T>>() <= size_of::<P>()) };
     let words = place.cast::<Tagged<T>>();

@@ -7,7 +7,7 @@
 //! Φ(t) = exp(m t/A) Φ(0) diag(e^{iτt/2}, e^{-iτt/2})
 //! ```
 //!
-//! The formula needs neither branch points nor a table.
+//! The formula needs no table. Its rate |m|/A is that of the launch, in extended precision.
 
 use toytop::internal::Unrounded;
 use toytop::scalar::{Extended, Float, Ring};

@@ -6,7 +6,7 @@ use crate::scalar::{Extended, Float, Ring, numeric_struct};
 use crate::su2::{cross, dot};
 
 numeric_struct! {
-    /// First integrals: two components of the angular momentum, and the energy.
+    /// First integrals: two components of the angular momentum, and the energy; and numbers that follow from them.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     #[non_exhaustive]

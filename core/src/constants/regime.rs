@@ -10,8 +10,8 @@ use crate::scalar::{Extended, Float, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// -1 < e₁ = e₂ < 1 and |l| < |n|: a regular precession; a fast top has two, and this is the slower one. A tilt that changes by less than 2^-49 rad
-    /// counts as constant, because roundings of a state change it that much.
+    /// -1 < e₁ = e₂ < 1 and |l| < |n|: a regular precession; a fast top has two, and this is the slower one. A nutation below
+    /// 2^-49 rad, the rounding of a state, counts as none.
     SlowPrecession,
     /// -1 < e₁ = e₂ < 1 and |l| >= |n|: a regular precession; a fast top has two, and this is the faster one.
     FastPrecession,

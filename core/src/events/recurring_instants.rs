@@ -4,7 +4,7 @@ use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Ring};
 use crate::table::{Table, TableScalar};
 
-/// Difference of the nutation phase up to which an instant near the start is the start, 2^-50 turns.
+/// Tolerance of the nutation phase, 2^-50 turns: an instant within it of the start counts as the start.
 const PHASE_TOLERANCE: Phase = Phase::from_bits(1 << 46);
 
 /// Next instants of up to four nutation phases, in ticks.

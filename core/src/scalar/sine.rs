@@ -2,7 +2,7 @@
 //!
 //! | function | argument | result |
 //! |---|---|---|
-//! | `sine_cosine_q31`, and two that are shorter | phase of 32 bits | integers, from points of the circle |
+//! | `sine_cosine_q31`; `short_sine_cosine_q31`, error 1.2e-8; `coarse_sine_cosine_q30`, error 2.2e-5 | phase of 32 bits | integers, from points of the circle |
 //! | `sine_cosine_f64` | phase of 64 bits | `f64`, from polynomials |
 //! | `sine_cosine_of_phase`, `of_radians` | phase of 96 bits, angle | `f64`, relatively exact, from the same polynomials |
 //! | `sine_cosine_q57` | phase of 96 bits | integers, from power series |

@@ -66,7 +66,7 @@ pub struct TickErrors {
 ///
 /// | scalar | table for the top of [the first page](crate) | error bound, rad | for |
 /// |---|---|--:|---|
-/// | `f32` | `TableF32`, 2.3 KB | 1.8e-7 | chips with an FPU or without one |
+/// | `f32` | `TableF32`, 2.2 KB | 1.8e-7 | chips with an FPU or without one |
 /// | `f64` | `TableF64`, 17 KB | 7.4e-15 | PCs, and chips with an FPU for `f64` |
 /// | `fixed::types::I2F30` (q31) | `TableQ31`, 2.3 KB | 1.9e-8 | the smallest error without an FPU for `f64` |
 /// | `fixed::types::I2F14` (q15) | `TableQ15`, 0.6 KB | 5.5e-4 | the fastest tick of a chip without an FPU |

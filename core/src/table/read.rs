@@ -6,7 +6,7 @@ mod sample;
 
 mod tip_angle;
 
-mod instant;
+mod at;
 
 mod cursor;
 

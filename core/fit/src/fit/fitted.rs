@@ -57,7 +57,7 @@ pub struct Fitted {
     pub launch: Estimate,
     /// Residuals of the last pass, before the last correction of the launch. `chi_squared` is the value expected after that correction.
     pub statistics: Statistics,
-    /// Directions that the measurements do not determine. Their standard deviations are 10 rad, or ten times ω.
+    /// Undetermined directions. In place of an unknown standard deviation they have 10 rad, or 10 |ω|.
     pub unobservable: Unobservable,
     /// Reason why the launch must not be trusted; `None` if it may be.
     pub warning: Option<FitWarning>,

@@ -90,7 +90,7 @@ impl<F: Float> Landen<F> {
             }
             let kx = scaled_modulus * x;
             sum = w + kx;
-            // the same number, whose rounding error is smaller where k is near 1
+            // w - kx without cancellation where k is near 1
             difference =
                 if number < self.steps_with_large_modulus { y + complement * (w - y) } else { w - kx };
             y = y * (difference + complement * kx);

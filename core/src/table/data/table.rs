@@ -22,10 +22,10 @@ pub struct Table<R: TableScalar, S: ?Sized = [<R as TableScalar>::Segment]> {
 /// Table with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
 /// It has the methods of [`Table`]. Size: 4 · SEGMENTS ·
-/// [`TableScalar::TERMS`] coefficients, and 248 bytes, or 264 in `f64`.
+/// [`TableScalar::TERMS`] coefficients, and 224 bytes, or 240 in `f64`.
 pub type SizedTable<R, const SEGMENTS: usize> = Table<R, [<R as TableScalar>::Segment; SEGMENTS]>;
 
-/// Table in `f32`, 2.3 KB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
+/// Table in `f32`, 2.2 KB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.
 pub type TableF32 = SizedTable<f32, 25>;
 
 /// Table in `f64`, 17 KB, for the motions of [`TableF32`]; where A/(ps) >= 1, `SizedTable<f64, 32>` is enough.

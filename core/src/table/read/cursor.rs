@@ -45,7 +45,7 @@ impl<R: TableScalar> Cursor<R> {
         Sample { table, phases, instant: Instant::at_tick(self.tick()) }
     }
 
-    /// Whether the phases are those of this table at the tick of the cursor. The lower bits are those of a wrapped tick number, too.
+    /// Whether the phases are those of this table at the tick of the cursor, also after the tick number has wrapped.
     fn belongs_to(&self, table: &Table<R>) -> bool {
         self.phases.map(WrappedPhase::lower)
             == table.clock.phases_at_tick(self.tick()).map(WrappedPhase::lower)
