@@ -46,7 +46,7 @@ impl Failure {
         Self::new(FailureKind::System, format!("cannot write the output: {error}"))
     }
 
-    /// Other program, such as cargo or QEMU, that is missing or failed. Exit code 1.
+    /// Other program, file of the program or thread that is missing or failed. Exit code 1.
     pub fn tool(reason: impl Into<String>) -> Self {
         Self::new(FailureKind::System, reason)
     }

@@ -98,15 +98,17 @@ pub fn require_other(option: &str, output: Option<&Path>, inputs: &[Option<&Path
 /// Failure of a file: bad input for a wrong path, otherwise an output that cannot be written.
 pub fn refused(option: &str, path: &Path, error: io::Error) -> Failure {
     let message = format!("{option}: {}: {error}", path.display());
-    let is_of_the_device = matches!(
+    // `Other`: of threads or of an encoder, never of the operating system
+    let is_of_the_system = matches!(
         error.kind(),
         ErrorKind::StorageFull
             | ErrorKind::QuotaExceeded
             | ErrorKind::FileTooLarge
             | ErrorKind::WriteZero
             | ErrorKind::BrokenPipe
+            | ErrorKind::Other
     );
-    if is_of_the_device || (cfg!(unix) && error.raw_os_error() == Some(EIO)) {
+    if is_of_the_system || (cfg!(unix) && error.raw_os_error() == Some(EIO)) {
         Failure::output(io::Error::new(error.kind(), message))
     } else {
         Failure::input(message)
@@ -121,6 +123,16 @@ mod tests {
     use super::*;
     #[cfg(unix)]
     use std::os::unix::fs::{PermissionsExt, symlink};
+
+    /// Threads that do not start and an encoder that fails are not bad input, and leave no file.
+    #[test]
+    fn a_failure_of_the_content_is_one_of_the_system() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out.csv");
+        let failure = write_by("-o", &path, |_| Err(io::Error::other("no threads"))).unwrap_err();
+        assert_eq!(failure.kind as i32, 1);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
 
     /// A link to a missing file creates its target, and the permissions of a file are kept.
     #[cfg(unix)]

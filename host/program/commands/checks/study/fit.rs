@@ -40,7 +40,7 @@ pub struct Row {
     sensors: &'static str,
     /// Reasons why launches were refused, each with their number.
     not_converged: String,
-    /// Number of accepted launches.
+    /// Number of accepted launches that are not wrong.
     converged: usize,
     /// Number of launches that were accepted, but are wrong.
     wrong: usize,
