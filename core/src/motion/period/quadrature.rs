@@ -1,4 +1,4 @@
-//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`], where it converges geometrically at a known rate.
+//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`], where it converges geometrically, at a rate that is estimated from two changes.
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;
