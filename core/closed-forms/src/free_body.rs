@@ -9,7 +9,7 @@
 //!
 //! The formula needs no table. Its rate |m|/A is that of the launch, in extended precision.
 
-use toytop::internal::Unrounded;
+use toytop::internal::{Unrounded, phase_equations};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, add_scaled, dot, scaled};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -36,7 +36,7 @@ impl FreeBody {
         if !motion.top().is_torque_free() {
             return None;
         }
-        let Unrounded { equations, half_tau, half_phase, .. } = motion.into();
+        let Unrounded { half_tau, half_phase, .. } = motion.into();
         let top = motion.top();
         let a = top.transverse_inertia();
         let attitude = motion.attitude_at_launch();
@@ -53,7 +53,7 @@ impl FreeBody {
                 [0.0; 3]
             },
             // χ advances by half a turn in a turn of the axis
-            precession: equations.rates(Extended::ZERO, Extended::ONE).chi.doubled(),
+            precession: phase_equations(motion).rates(Extended::ZERO, Extended::ONE).chi.doubled(),
             half_tau,
             nutation: half_phase,
         })

@@ -1,7 +1,7 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period.
 
 use crate::elliptic::elementary::{ValueAndSlope, angle, rounded, sine_cosine_of_phase};
-use toytop::internal::{Ellipse, Ellipses, Unrounded};
+use toytop::internal::{Ellipse, Ellipses, Unrounded, phase_equations};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -23,9 +23,9 @@ impl ArgumentOffsets {
     /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
     /// 0 at t = 0.
     pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let Unrounded { e, equations, half_tau, half_phase, slow_phases, .. } = motion.into();
+        let Unrounded { e, half_tau, half_phase, slow_phases, .. } = motion.into();
         let (im, re) = sine_cosine_of_phase(half_phase.unwrap_or_default());
-        let rates = equations.rates(im, re);
+        let rates = phase_equations(motion).rates(im, re);
         let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
             let z = ellipse.slow_phase(Complex::new(re, im), [rates.chi, psi], [value, slope]);
             angle(z.im, z.re).radians_to_turns().to_phase()

@@ -21,14 +21,10 @@ pub struct Unrounded<'a> {
     pub e: &'a BranchPoints<Extended>,
     /// First integrals.
     pub integrals: &'a FirstIntegrals<Extended>,
-    /// Phase equations.
-    pub equations: PhaseEquations<Extended>,
     /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
     pub half_tau: Extended,
     /// Half phase χ at t = 0; `None` for a steady motion.
     pub half_phase: Option<Phase>,
-    /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
-    pub aperiodic_v: Option<f64>,
     /// Slow phases of α and β at t = 0.
     pub slow_phases: [Phase; 2],
 }
@@ -44,13 +40,21 @@ impl<'a> From<&'a Motion> for Unrounded<'a> {
             g: *g,
             e,
             integrals,
-            equations: motion.equations(),
             half_tau: *half_tau,
             half_phase: *half_phase,
-            aperiodic_v: motion.aperiodic_v(),
             slow_phases: *slow_phases,
         }
     }
+}
+
+/// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
+pub fn aperiodic_v(motion: &Motion) -> Option<f64> {
+    motion.aperiodic_v()
+}
+
+/// Phase equations of a motion.
+pub fn phase_equations(motion: &Motion) -> PhaseEquations<Extended> {
+    motion.equations()
 }
 
 /// Unrounded period of a motion, s, and its rotations about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT;

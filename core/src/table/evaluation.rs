@@ -75,7 +75,7 @@ pub struct TickErrors {
 pub trait TableScalar: Scalar + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
-    type Coefficient: Coefficient<Quantity = Self::Quantity>;
+    type Coefficient: Coefficient<Number: TickNumber<Quantity = Self::Quantity>>;
     /// Segment: coefficients of Re a, Im a, Re b and Im b side by side, lowest power first.
     type Segment: Copy
         + Debug
@@ -107,9 +107,6 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: NumberOf<Self>) -> Self;
-    /// Number times 2^exponent. In `f64` the exponent is 0.
-    #[doc(hidden)]
-    fn to_quantity(number: NumberOf<Self>, exponent: i32) -> Self::Quantity;
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
     fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
@@ -122,10 +119,8 @@ pub(crate) type NumberOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::
 pub trait Coefficient: Copy + Debug + PartialEq {
     /// Sum of Horner's rule, and the local coordinate: `i32` for `i16`, otherwise the type of the coefficient itself.
     type Sum: Coefficient<Sum = Self::Sum, Number = Self::Number> + Default + Into<f64>;
-    /// Number in which a tick computes α, β and Ω: `Q30` or `f64`.
-    type Number: Ring;
-    /// Type of lengths and rates.
-    type Quantity: Real;
+    /// Number in which a tick computes α, β and Ω.
+    type Number: TickNumber<Sum = Self::Sum>;
 
     // Set-up: rounding.
 
@@ -150,7 +145,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
     fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum) -> Self::Sum;
 
-    // Tick: rotation and angular velocity.
+    // Tick: rotation.
 
     /// Complex number of the table, rotated by the angle with this sine and cosine.
     fn rotated(
@@ -160,6 +155,17 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     ) -> Complex<Self::Number>;
     /// Sine and cosine of Λ_β - Λ_α, from the sines and cosines of Λ_α and Λ_β.
     fn sine_cosine_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> [Self::Sum; 2];
+}
+
+/// Number in which a tick computes α, β and Ω: `Q30` or `f64`.
+pub trait TickNumber: Ring {
+    /// Sum of Horner's rule.
+    type Sum;
+    /// Type of lengths and rates.
+    type Quantity: Real;
+
+    /// Number times 2^exponent. In `f64` the exponent is 0.
+    fn to_quantity(self, exponent: i32) -> Self::Quantity;
     /// Angular velocity Ω over a power of two, with the exponent of that power: the rates can exceed the range of the number.
     ///
     /// * `polynomials`: values and derivatives
@@ -170,7 +176,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
         difference: [Self::Sum; 2],
         point: SegmentPoint,
         rates: [Self::Quantity; 3],
-    ) -> (Vector<Self::Number>, i32);
+    ) -> (Vector<Self>, i32);
 }
 
 /// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
@@ -201,7 +207,7 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, a);
     let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, b);
     let difference = R::Coefficient::sine_cosine_of_difference([a, b]);
-    let (omega, exponent) = R::Coefficient::omega_body(polynomials, difference, point, rates);
+    let (omega, exponent) = NumberOf::<R>::omega_body(polynomials, difference, point, rates);
     (Orientation { alpha, beta }, omega, exponent)
 }
 

@@ -1,4 +1,5 @@
-//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`], where it converges geometrically, at a rate that is estimated from two changes.
+//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`], where it converges geometrically. The rate is estimated from two
+//! changes.
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;
@@ -24,7 +25,7 @@ impl Period {
     }
 }
 
-/// Largest number of nodes on half a period. A motion with m₁ = 1e-300 needs 4096.
+/// Last limit of the nodes on half a period, which no launch of the corner study reaches.
 const MAX_NODES: u32 = 1 << 13;
 
 /// Trapezoid sums over half a period.

@@ -3,7 +3,9 @@
 use crate::complex::Complex;
 use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
 use crate::su2::Vector;
-use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_UNIT, TableScalar, TickErrors, range};
+use crate::table::evaluation::{
+    Coefficient, SegmentPoint, TABLE_UNIT, TableScalar, TickErrors, TickNumber, range,
+};
 
 impl TableScalar for f64 {
     type Coefficient = Self;
@@ -27,11 +29,6 @@ impl TableScalar for f64 {
         number
     }
 
-    #[inline]
-    fn to_quantity(number: Self, _: i32) -> Self {
-        number
-    }
-
     #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [f64; 2] {
         sine_cosine_f64(phase).into()
@@ -41,7 +38,6 @@ impl TableScalar for f64 {
 impl Coefficient for f64 {
     type Sum = Self;
     type Number = Self;
-    type Quantity = Self;
 
     fn nearest(value: i64, _: usize) -> Self {
         value as f64 * TABLE_UNIT
@@ -80,6 +76,16 @@ impl Coefficient for f64 {
     fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> [f64; 2] {
         let difference = Complex::new(cosine_a, sine_a).conj() * Complex::new(cosine_b, sine_b);
         [difference.im, difference.re]
+    }
+}
+
+impl TickNumber for f64 {
+    type Sum = Self;
+    type Quantity = Self;
+
+    #[inline]
+    fn to_quantity(self, _: i32) -> Self {
+        self
     }
 
     #[inline(always)]

@@ -3,9 +3,7 @@
 use crate::complex::Complex;
 use crate::integer::shifted_right;
 use crate::scalar::{Q30, Wide, coarse_sine_cosine_q30};
-use crate::su2::Vector;
 use crate::table::evaluation::i32::{COORDINATE_ERROR, ERRORS_Q30};
-use crate::table::evaluation::omega_q30::omega_body;
 use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_BITS, TableScalar, TickErrors, range};
 use fixed::types::I2F14;
 
@@ -35,11 +33,6 @@ impl TableScalar for I2F14 {
     }
 
     #[inline(always)]
-    fn to_quantity(number: Q30, exponent: i32) -> f32 {
-        number.to_f32(exponent)
-    }
-
-    #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         let (sine, cosine) = coarse_sine_cosine_q30((phase >> 32) as u32);
         [sine >> 15, cosine >> 15]
@@ -49,7 +42,6 @@ impl TableScalar for I2F14 {
 impl Coefficient for i16 {
     type Sum = i32;
     type Number = Q30;
-    type Quantity = f32;
 
     fn nearest(value: i64, power: usize) -> Self {
         /// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.
@@ -103,15 +95,5 @@ impl Coefficient for i16 {
     #[inline(always)]
     fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
         [cosine_a * sine_b - sine_a * cosine_b, cosine_a * cosine_b + sine_a * sine_b]
-    }
-
-    #[inline(always)]
-    fn omega_body(
-        polynomials: [[i32; 4]; 2],
-        difference: [i32; 2],
-        point: SegmentPoint,
-        rates: [f32; 3],
-    ) -> (Vector<Q30>, i32) {
-        omega_body(polynomials, difference, point, rates)
     }
 }

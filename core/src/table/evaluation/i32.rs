@@ -7,8 +7,6 @@
 use crate::complex::Complex;
 use crate::integer::{high_product, shifted_right};
 use crate::scalar::{Q30, Scalar, Wide, short_sine_cosine_q31};
-use crate::su2::Vector;
-use crate::table::evaluation::omega_q30::omega_body;
 use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_BITS, TableScalar, TickErrors, range};
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
@@ -45,11 +43,6 @@ impl TableScalar for f32 {
     }
 
     #[inline(always)]
-    fn to_quantity(number: Q30, exponent: i32) -> f32 {
-        number.to_f32(exponent)
-    }
-
-    #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         short_sine_cosine_q31((phase >> 32) as u32).into()
     }
@@ -75,11 +68,6 @@ impl TableScalar for I2F30 {
     }
 
     #[inline(always)]
-    fn to_quantity(number: Q30, exponent: i32) -> f32 {
-        number.to_f32(exponent)
-    }
-
-    #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         sine_cosine_q31((phase >> 32) as u32).into()
     }
@@ -88,7 +76,6 @@ impl TableScalar for I2F30 {
 impl Coefficient for i32 {
     type Sum = Self;
     type Number = Q30;
-    type Quantity = f32;
 
     /// Coefficient in units of 2^-(31 + power). It has half a unit more, because the product added to it is rounded down. The constant has none: a
     /// complement changes its sign.
@@ -144,16 +131,6 @@ impl Coefficient for i32 {
             high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
             high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
         ]
-    }
-
-    #[inline(always)]
-    fn omega_body(
-        polynomials: [[i32; 4]; 2],
-        difference: [i32; 2],
-        point: SegmentPoint,
-        rates: [f32; 3],
-    ) -> (Vector<Q30>, i32) {
-        omega_body(polynomials, difference, point, rates)
     }
 }
 

@@ -6,7 +6,7 @@ use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::{Instant, Phases, Table};
-use crate::table::evaluation::{NumberOf, TableScalar, orientation, orientation_and_omega_body};
+use crate::table::evaluation::{NumberOf, TableScalar, TickNumber, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
@@ -52,7 +52,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn pose(&self) -> Pose<R, R::Quantity> {
         let numbers = self.unrounded();
-        let product = (numbers.alpha * numbers.beta).map(|part| R::to_quantity(part, 0));
+        let product = (numbers.alpha * numbers.beta).map(|part| part.to_quantity(0));
         Pose {
             orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
@@ -90,7 +90,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
-        orientation.adjoint(omega_body).map(|rate| R::to_quantity(rate, exponent))
+        orientation.adjoint(omega_body).map(|rate| rate.to_quantity(exponent))
     }
 
     /// Angular velocity Ω in the body frame, rad/s.
@@ -130,7 +130,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.unrounded_and_omega_body();
-        AttitudeState::from_body(numbers.map(|part| R::to_quantity(part, 0)), omega_body)
+        AttitudeState::from_body(numbers.map(|part| part.to_quantity(0)), omega_body)
     }
 
     /// State, with the error of the sample, from which another motion can be launched.
@@ -160,7 +160,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     fn unrounded_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let (orientation, [x1, x2, _], exponent) = self.unrounded_and_scaled_omega_body();
-        let [x1, x2] = [x1, x2].map(|x| R::to_quantity(x, exponent));
+        let [x1, x2] = [x1, x2].map(|x| x.to_quantity(exponent));
         (orientation, [x1, x2, self.table.clock.axial_rate])
     }
 
@@ -168,7 +168,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
-        orientation.axis_rate(omega_body).map(|rate| R::to_quantity(rate, exponent))
+        orientation.axis_rate(omega_body).map(|rate| rate.to_quantity(exponent))
     }
 }
 
