@@ -1,7 +1,7 @@
 //! Complex numbers over any [`Ring`], fixed point included.
 
 use crate::phase::Phase;
-use crate::scalar::{Float, Real, Ring, Scalar};
+use crate::scalar::{Float, Real, Ring};
 use core::ops::{Add, Mul, Neg, Sub};
 
 /// Complex number re + i im.
@@ -55,16 +55,7 @@ impl<R: Ring> Complex<R> {
     /// Product x z with a real x.
     #[must_use]
     pub fn scaled(self, x: R) -> Self {
-        Self { re: self.re.product(x), im: self.im.product(x) }
-    }
-}
-
-impl<R: Scalar> Complex<R> {
-    /// Unit complex number e^{2πix} for a phase of x turns.
-    #[inline]
-    pub fn cis(phase: Phase) -> Self {
-        let (im, re) = R::sine_cosine(phase);
-        Self { re, im }
+        Self { re: self.re * x, im: self.im * x }
     }
 }
 
@@ -76,6 +67,13 @@ impl<R: Float> Complex<R> {
 }
 
 impl<R: Real> Complex<R> {
+    /// Unit complex number e^{2πix} for a phase of x turns.
+    #[inline]
+    pub fn cis(phase: Phase) -> Self {
+        let (im, re) = R::sine_cosine(phase);
+        Self { re, im }
+    }
+
     /// Argument in rad, in [-π, π]; 0 for z = 0.
     pub fn arg(self) -> R {
         R::atan2(self.im, self.re)

@@ -2,12 +2,11 @@
 //!
 //! Without fused multiply-add and `std` maths, a host and a chip agree to the bit.
 //!
-//! | trait | requires | `f32` `f64` | [`Wide`] | fixed point |
+//! | trait | requires | `f32` `f64` | [`Wide`] | fixed point of a tick |
 //! |---|---|---|---|---|
 //! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
-//! | [`Scalar`] | sine and cosine of an integer phase: the numbers of orientations | yes | no | yes |
 //! | [`Float`] | division, square root, conversion: what launch and *set-up* need | yes | yes | no |
-//! | [`Real`] | `Scalar` and `Float`, an arctangent and an exponential: what a *stepper*, a fit, and lengths and rates need | yes | no | no |
+//! | [`Real`] | sine, cosine, arctangent and exponential: what a *stepper*, a fit, and lengths and rates need | yes | no | no |
 
 mod wide;
 
@@ -16,11 +15,13 @@ pub(crate) mod sine;
 mod q30;
 
 #[cfg(feature = "fixed")]
-mod fixed_point;
+mod q14;
 
 mod numeric_struct;
 
 pub(crate) use numeric_struct::numeric_struct;
+#[cfg(feature = "fixed")]
+pub(crate) use q14::Q14;
 pub(crate) use q30::Q30;
 #[cfg(feature = "fixed")]
 pub(crate) use sine::coarse_sine_cosine_q30;
@@ -52,32 +53,25 @@ pub trait Ring:
     /// One.
     const ONE: Self;
 
-    /// Product; in fixed point rounded down, and without the overflow check of `*`.
-    #[inline(always)]
-    #[must_use]
-    fn product(self, other: Self) -> Self {
-        self * other
-    }
-
     /// Inner product of two pairs, ac + bd.
     #[inline(always)]
     #[must_use]
     fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        a.product(c) + b.product(d)
+        a * c + b * d
     }
 
     /// Determinant of two pairs, ad - bc.
     #[inline(always)]
     #[must_use]
     fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        a.product(d) - b.product(c)
+        a * d - b * c
     }
 
     /// Square, x².
     #[inline]
     #[must_use]
     fn squared(self) -> Self {
-        self.product(self)
+        self * self
     }
 
     /// Double, x + x: exact in binary floating point.
@@ -93,15 +87,6 @@ pub trait Ring:
     fn larger_or_nan(self, other: Self) -> Self {
         if other <= self || self.partial_cmp(&self).is_none() { self } else { other }
     }
-}
-
-/// Number type of an orientation: with the sine and cosine of a phase.
-pub trait Scalar: Ring {
-    /// (sin 2πx, cos 2πx) of a phase of x turns. Error in `f32`: below 3.2e-8. In `f64`: below 2e-16, relative near the zeros.
-    fn sine_cosine(phase: Phase) -> (Self, Self);
-
-    /// Half a unit in the last place of 1.
-    const ROUNDING: f64;
 }
 
 /// Number type of a set-up: with division and square root.
@@ -133,11 +118,13 @@ pub trait Float: Ring + Div<Output = Self> {
     }
 }
 
-/// Number type of a stepper and of a fit, with arctangent and exponential.
-pub trait Real: Scalar + Float {
+/// Number type of a stepper and of a fit, with sine, cosine, arctangent and exponential.
+pub trait Real: Float {
     /// Largest finite number.
     const MAX: Self;
 
+    /// (sin 2πx, cos 2πx) of a phase of x turns. Error in `f32`: below 3.2e-8. In `f64`: below 2e-16, relative near the zeros.
+    fn sine_cosine(phase: Phase) -> (Self, Self);
     /// Angle of the point (x, y) in rad, in [-π, π].
     fn atan2(y: Self, x: Self) -> Self;
     /// eˣ - 1, with a small relative error also where x is small.
@@ -146,14 +133,14 @@ pub trait Real: Scalar + Float {
 }
 
 macro_rules! float_scalar {
-    ($float:ty, $sqrt:path, $atan2:path, $exp_minus_one:path) => {
+    ($float:ident, $sine_cosine:path, $sqrt:path, $atan2:path, $exp_minus_one:path) => {
         impl Ring for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
         }
 
         impl Float for $float {
-            const OPERATION_ERROR: f64 = <Self as Scalar>::ROUNDING;
+            const OPERATION_ERROR: f64 = $float::EPSILON as f64 / 2.0;
 
             #[inline]
             fn from_f64(x: f64) -> Self {
@@ -186,6 +173,10 @@ macro_rules! float_scalar {
             const MAX: Self = <$float>::MAX;
 
             #[inline]
+            fn sine_cosine(phase: Phase) -> (Self, Self) {
+                $sine_cosine(phase)
+            }
+            #[inline]
             fn atan2(y: Self, x: Self) -> Self {
                 $atan2(y, x)
             }
@@ -197,26 +188,14 @@ macro_rules! float_scalar {
     };
 }
 
-float_scalar!(f32, libm::sqrtf, libm::atan2f, libm::expm1f);
-float_scalar!(f64, libm::sqrt, libm::atan2, libm::expm1);
+float_scalar!(f32, sine_cosine_f32, libm::sqrtf, libm::atan2f, libm::expm1f);
+float_scalar!(f64, sine_cosine_of_phase, libm::sqrt, libm::atan2, libm::expm1);
 
-impl Scalar for f32 {
-    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
-
-    #[inline]
-    fn sine_cosine(phase: Phase) -> (Self, Self) {
-        const UNIT: f32 = 1.0 / (1_u64 << 31) as f32;
-        let (sine, cosine) = sine_cosine_q31((phase.leading_bits() >> 32) as u32);
-        (sine as f32 * UNIT, cosine as f32 * UNIT)
-    }
-}
-
-impl Scalar for f64 {
-    const ROUNDING: f64 = f64::EPSILON / 2.0;
-
-    fn sine_cosine(phase: Phase) -> (Self, Self) {
-        sine_cosine_of_phase(phase)
-    }
+#[inline]
+fn sine_cosine_f32(phase: Phase) -> (f32, f32) {
+    const UNIT: f32 = 1.0 / (1_u64 << 31) as f32;
+    let (sine, cosine) = sine_cosine_q31((phase.leading_bits() >> 32) as u32);
+    (sine as f32 * UNIT, cosine as f32 * UNIT)
 }
 
 /// Supertrait that seals the scalar traits.

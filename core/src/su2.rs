@@ -8,6 +8,7 @@ mod nalgebra;
 
 use crate::complex::Complex;
 use crate::scalar::{Float, Real, Ring};
+use core::ops::Neg;
 
 /// Vector of R³, identified with an element of su(2).
 pub type Vector<R> = [R; 3];
@@ -51,6 +52,15 @@ impl<R: Copy> Orientation<R> {
     #[inline(always)]
     pub fn map<G>(&self, convert: impl Fn(R) -> G) -> Orientation<G> {
         Orientation { alpha: self.alpha.map(&convert), beta: self.beta.map(&convert) }
+    }
+
+    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give opposite signs.
+    pub fn quaternion(&self) -> [R; 4]
+    where
+        R: Neg<Output = R>,
+    {
+        let Self { alpha, beta } = *self;
+        [alpha.re, beta.im, -beta.re, alpha.im]
     }
 }
 
@@ -119,12 +129,6 @@ impl<R: Ring> Orientation<R> {
     /// Rate r' = Φ (Ω × e₃) Φ⁻¹ of the symmetry axis in the fixed frame, from Ω in the body frame.
     pub fn axis_rate(&self, [x1, x2, _]: Vector<R>) -> Vector<R> {
         self.adjoint([x2, -x1, R::ZERO])
-    }
-
-    /// Unit quaternion [w, x, y, z] from body to fixed coordinates. Φ and -Φ give opposite signs.
-    pub fn quaternion(&self) -> [R; 4] {
-        let Self { alpha, beta } = *self;
-        [alpha.re, beta.im, -beta.re, alpha.im]
     }
 
     /// Orientation from a quaternion, the inverse of [`Orientation::quaternion`]. It is not normalised.

@@ -124,8 +124,8 @@ fn table<R: TableScalar<Quantity: Into<f64>> + Into<f64>, const SEGMENTS: usize>
     let settings = TableSettings { truncation: Some(f64::MAX), ..TableSettings::new(tick) };
     let Ok(table) = memory.set_up(workspace, motion, settings, &mut || {}) else { return hashes };
     let with_sample = |hash: Hash, sample: Sample<'_, R>| {
-        let Pose { orientation: Orientation { alpha, beta }, u, tip } = sample.pose();
-        hash.complex(alpha).complex(beta).number(u).complex(tip)
+        let Pose { orientation: Orientation { alpha, beta }, u, .. } = sample.pose();
+        hash.complex(alpha).complex(beta).number(u).complex(sample.tip())
     };
     let mut cursor = table.cursor(-3);
     for n in (-7_i64..).take(TICKS) {

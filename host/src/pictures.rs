@@ -53,8 +53,7 @@ impl MotionSpan {
             return Err(Failure::input(reason).at(format!("{from}..{until}")));
         }
         let periods = periods(motion).filter(|_| times.is_none());
-        let ends =
-            times.unwrap_or_else(|| [0.0, display_duration(motion, |t| evaluator.pose(t).tip.modulus())]);
+        let ends = times.unwrap_or_else(|| [0.0, display_duration(motion, |t| evaluator.tip(t).modulus())]);
         Ok(Self { evaluator, ends, periods })
     }
 

@@ -3,7 +3,6 @@
 /// SU(2) in floating and in fixed point, its two actions on the sphere, and conversions.
 mod rotations {
     mod cayley_klein;
-    mod fixed_point;
     mod group;
     mod interop;
     mod moebius;

@@ -84,9 +84,6 @@ pub const TIP_CURVE_DERIVATIVES: [f64; 2] = [2e-3, 1e-3];
 pub const CAYLEY_KLEIN_SU_2: f64 = 3e-15;
 pub const CAYLEY_KLEIN_RELATIONS_OF_SECTION_3_4: f64 = 5e-15;
 
-// rotations/fixed_point.rs
-pub const FIXED_POINT_ADJOINT: [f64; 2] = [3e-8, 1e-3];
-
 // rotations/moebius.rs
 pub const MOEBIUS: f64 = 3e-15;
 

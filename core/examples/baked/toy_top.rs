@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::SizedTable<f32, 25> = match (toytop::Baked::<f32, 25> {
     format: 9,
-    crc32: 0x8112faec,
+    crc32: 0x1a537ecf,
     clock: toytop::Clock {
         step: [[2575318670, 588342322, 56542227], [1397476701, 672778249, 51392304], [1925780593, 2227764775, 4247109518]],
         tip_start_quarter_turns: 0,
@@ -26,7 +26,7 @@ pub static TOY_TOP: toytop::SizedTable<f32, 25> = match (toytop::Baked::<f32, 25
         epoch: 0,
     },
     error_bound: toytop::ErrorBound { constant: 1.726818004916376e-7, per_tick: 1.682593121439885e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.0001972553681267373, per_tick: 2.5784505776669533e-16 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.00034827064901184153, per_tick: 2.5784505776669533e-16 },
     cells: [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0],
     segments: [
         [

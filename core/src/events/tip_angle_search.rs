@@ -7,7 +7,7 @@ use crate::events::event::Event;
 use crate::events::recurring_instants::RecurringInstants;
 use crate::events::rising_half::{LAST_RISING, at_phase, bisect};
 use crate::phase::{Phase, WrappedPhase};
-use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, Ring};
 use crate::table::{Table, TableScalar};
 
 /// Instants of one tip angle in order.
@@ -51,7 +51,7 @@ impl<R: TableScalar> Table<R> {
         };
         let [(lowest, least), (_, middle), (highest, greatest)] =
             [0, LAST_RISING / 2, LAST_RISING].map(turning);
-        let noise = NOISE * (R::ROUNDING + R::Quantity::ROUNDING) * least.max(middle).max(greatest);
+        let noise = NOISE * (R::ROUNDING + R::Quantity::OPERATION_ERROR) * least.max(middle).max(greatest);
         let changes = lowest * highest < 0.0 && lowest.abs() > noise && highest.abs() > noise;
         changes.then(|| bisect(|nutation| turning(nutation).0 * lowest <= 0.0))
     }

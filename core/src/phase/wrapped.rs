@@ -49,11 +49,7 @@ impl WrappedPhase {
     /// Sum, modulo one turn.
     #[inline(always)]
     pub(crate) const fn plus(self, other: Self) -> Self {
-        let [.., upper] = self.words;
-        let [.., other_upper] = other.words;
-        let (lower, carry) = self.lower().overflowing_add(other.lower());
-        let upper = upper.wrapping_add(other_upper).wrapping_add(carry as u32);
-        Self::new([lower as u32, (lower >> 32) as u32, upper])
+        Self::from_phase(Phase::from_bits(self.to_phase().to_bits() + other.to_phase().to_bits()))
     }
 
     pub(crate) fn minus(self, other: Self) -> Self {

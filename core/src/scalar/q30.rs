@@ -16,39 +16,22 @@ const SOFT_FLOAT: bool = cfg!(any(
     all(target_arch = "riscv32", not(target_feature = "f"))
 ));
 
-impl Q30 {
-    /// This number times 2^exponent, rounded to `f32`; 0 for an exponent below -95, at which it could be subnormal.
+/// Nearest `f32`.
+impl From<Q30> for f32 {
     #[inline(always)]
-    pub(crate) fn to_f32(self, exponent: i32) -> f32 {
-        let number = if exponent < -95 { 0 } else { self.0 };
-        let exponent = exponent.max(-95) - 30;
+    fn from(Q30(number): Q30) -> Self {
         if SOFT_FLOAT {
             // the same bits as the product below: a product with a power of two is exact
-            let converted = (number as f32).to_bits();
-            return if number == 0 {
-                0.0
-            } else {
-                f32::from_bits(converted.wrapping_add_signed(exponent << 23))
-            };
+            let converted = (number as Self).to_bits();
+            return if number == 0 { 0.0 } else { Self::from_bits(converted - (30 << 23)) };
         }
-        number as f32 * f32::from_bits(((exponent + 127) as u32) << 23)
+        number as Self * (1.0 / (1_u32 << 30) as Self)
     }
 }
 
 impl Ring for Q30 {
     const ZERO: Self = Self(0);
     const ONE: Self = Self(1 << 30);
-
-    /// Sum of two products with one shift, in units of 2^-28.
-    #[inline(always)]
-    fn inner([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        Self(high_product(a.0, c.0).wrapping_add(high_product(b.0, d.0)) << 2)
-    }
-
-    #[inline(always)]
-    fn determinant([a, b]: [Self; 2], [c, d]: [Self; 2]) -> Self {
-        Self(high_product(a.0, d.0).wrapping_sub(high_product(b.0, c.0)) << 2)
-    }
 }
 
 impl Add for Q30 {
@@ -90,12 +73,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_power_of_two_is_exact() {
-        for (number, exponent) in [(1 << 30, 0), (-3, 30), (i32::MAX, 119), (1, -95), (i32::MIN, -27)] {
-            let exact = f64::from(number as f32) * libm::exp2(f64::from(exponent - 30));
-            assert_eq!(f64::from(Q30(number).to_f32(exponent)), exact, "{number} {exponent}");
+    fn a_number_is_rounded_to_f32() {
+        for number in [1 << 30, -3, i32::MAX, 1, i32::MIN, 0, -1] {
+            let exact = f64::from(number as f32) * libm::exp2(-30.0);
+            assert_eq!(f64::from(f32::from(Q30(number))), exact, "{number}");
         }
-        let zeros = [(0, 73), (1 << 30, -96), (5, -167)];
-        assert_eq!(zeros.map(|(number, exponent)| Q30(number).to_f32(exponent)), [0.0; 3]);
     }
 }

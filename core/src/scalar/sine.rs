@@ -54,10 +54,10 @@ pub(super) fn exact_sine_cosine(phase: Phase) -> (Extended, Extended) {
 mod tests {
     use super::*;
     use crate::phase::Phase;
-    use crate::scalar::{Extended, Float, Scalar};
+    use crate::scalar::{Extended, Float, Real};
 
     /// Largest error over a grid that is not a multiple of the table's spacing.
-    fn worst<R: Scalar + Into<f64>>() -> f64 {
+    fn worst<R: Real + Into<f64>>() -> f64 {
         let points = if cfg!(miri) { 203 } else { 20_011 };
         (0..points).fold(0.0, |worst: f64, i| {
             let phase = Phase::from_turns(f64::from(i) * (3.0 / f64::from(points)) - 1.5);

@@ -7,17 +7,16 @@
 //! Ω₁ + iΩ₂ = -2i (ᾱβ' - βᾱ') = -2i e^{i(Λ_β-Λ_α)} N,    N = x' (ā db/dx - b dā/dx) + i (Λ_α' + Λ_β') ā b
 //! ```
 //!
-//! Where u falls, a and b become their complex conjugates, and N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant.
+//! Where u falls, a and b become their complex conjugates, and N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant. Ω is computed in floating
+//! point: rates can be of any size.
 //!
-//! | scalar | coefficient | sum of Horner's rule | number of the results |
+//! | scalar | coefficient | sum of Horner's rule | number of α and β |
 //! |---|---|---|---|
 //! | `f32`, `I2F30` (q31) | `i32` | `i32` | `Q30` |
-//! | `I2F14` (q15) | `i16` | `i32` | `Q30` |
+//! | `I2F14` (q15) | `i16` | `i32` | `Q14` |
 //! | `f64` | `f64` | `f64` | `f64` |
 
 pub(super) mod range;
-
-mod omega_q30;
 
 mod i32;
 
@@ -27,9 +26,10 @@ mod i16;
 mod f64;
 
 use crate::complex::Complex;
-use crate::scalar::{Float, Real, Ring, Scalar};
+use crate::scalar::{Float, Real, Ring, sealed::Sealed};
 use crate::su2::{Orientation, Vector};
 use core::fmt::Debug;
+use core::ops::Neg;
 
 /// Fraction bits of the polynomials from which the coefficients are rounded.
 pub(super) const TABLE_BITS: u32 = 62;
@@ -72,10 +72,10 @@ pub struct TickErrors {
 /// | `fixed::types::I2F14` (q15) | `TableQ15`, 0.6 KB | 5.5e-4 | the fastest tick of a chip without an FPU |
 ///
 /// The last two need the feature `fixed`.
-pub trait TableScalar: Scalar + Into<f64> + 'static {
+pub trait TableScalar: Sealed + Copy + Debug + PartialEq + Neg<Output = Self> + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
-    type Coefficient: Coefficient<Number: TickNumber<Quantity = Self::Quantity>>;
+    type Coefficient: Coefficient<Quantity = Self::Quantity>;
     /// Segment: coefficients of Re a, Im a, Re b and Im b side by side, lowest power first.
     type Segment: Copy
         + Debug
@@ -92,6 +92,8 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     #[doc(hidden)]
     type PathNumber: Float;
 
+    /// Half a unit in the last place of 1.
+    const ROUNDING: f64;
     /// Code of the scalar in [the table format](crate::table_format).
     const CODE: u32;
     /// Number of coefficients of a polynomial.
@@ -112,15 +114,17 @@ pub trait TableScalar: Scalar + Into<f64> + 'static {
     fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
 }
 
-/// Number in which a tick of a scalar computes α, β and Ω.
+/// Number in which a tick of a scalar computes α and β.
 pub(crate) type NumberOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Number;
 
 /// Coefficient of a table, and the operations that depend on its word: rounding in a set-up, evaluation in a tick.
 pub trait Coefficient: Copy + Debug + PartialEq {
     /// Sum of Horner's rule, and the local coordinate: `i32` for `i16`, otherwise the type of the coefficient itself.
-    type Sum: Coefficient<Sum = Self::Sum, Number = Self::Number> + Default + Into<f64>;
-    /// Number in which a tick computes α, β and Ω.
-    type Number: TickNumber<Sum = Self::Sum>;
+    type Sum: Coefficient<Sum = Self::Sum> + Default + Into<f64>;
+    /// Number in which a tick computes α and β.
+    type Number: Ring;
+    /// Type of lengths and rates.
+    type Quantity: Real;
 
     // Set-up: rounding.
 
@@ -145,7 +149,7 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
     fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum) -> Self::Sum;
 
-    // Tick: rotation.
+    // Tick: rotation and angular velocity.
 
     /// Complex number of the table, rotated by the angle with this sine and cosine.
     fn rotated(
@@ -153,30 +157,12 @@ pub trait Coefficient: Copy + Debug + PartialEq {
         is_falling: bool,
         sine_cosine: [Self::Sum; 2],
     ) -> Complex<Self::Number>;
-    /// Sine and cosine of Λ_β - Λ_α, from the sines and cosines of Λ_α and Λ_β.
-    fn sine_cosine_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> [Self::Sum; 2];
-}
-
-/// Number in which a tick computes α, β and Ω: `Q30` or `f64`.
-pub trait TickNumber: Ring {
-    /// Sum of Horner's rule.
-    type Sum;
-    /// Type of lengths and rates.
-    type Quantity: Real;
-
-    /// Number times 2^exponent. In `f64` the exponent is 0.
-    fn to_quantity(self, exponent: i32) -> Self::Quantity;
-    /// Angular velocity Ω over a power of two, with the exponent of that power: the rates can exceed the range of the number.
-    ///
-    /// * `polynomials`: values and derivatives
-    /// * `difference`: sine and cosine of Λ_β - Λ_α
-    /// * `rates`: rates of x on an eighth of half a period, of Λ_α + Λ_β, and about the axis
-    fn omega_body(
-        polynomials: [[Self::Sum; 4]; 2],
-        difference: [Self::Sum; 2],
-        point: SegmentPoint,
-        rates: [Self::Quantity; 3],
-    ) -> (Vector<Self>, i32);
+    /// Number e^{i(Λ_β-Λ_α)}, from the sines and cosines of Λ_α and Λ_β.
+    fn cis_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> Complex<Self::Quantity>;
+    /// Number of an orientation.
+    fn number(number: Self::Number) -> Self::Quantity;
+    /// Value of a polynomial or of its derivative.
+    fn value(sum: Self::Sum) -> Self::Quantity;
 }
 
 /// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
@@ -193,22 +179,29 @@ pub(crate) fn orientation<R: TableScalar>(
     Orientation { alpha, beta }
 }
 
-/// Orientation, and Ω over a power of two with its exponent, from the 64 leading bits of the mean phases.
+/// Orientation and Ω, from the 64 leading bits of the mean phases.
+///
+/// * `rates`: rates of x on an eighth of half a period, of Λ_α + Λ_β, and about the axis
 #[inline(always)]
 pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     mean_phases: [u64; 2],
-    rates: [R::Quantity; 3],
-) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
-    let [a, b] = mean_phases.map(R::sine_cosine_sums);
-    let polynomials = polynomials::<R::Coefficient, true>(rows, point);
-    let [[re_a, im_a, re_b, im_b], _] = polynomials;
-    let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, a);
-    let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, b);
-    let difference = R::Coefficient::sine_cosine_of_difference([a, b]);
-    let (omega, exponent) = NumberOf::<R>::omega_body(polynomials, difference, point, rates);
-    (Orientation { alpha, beta }, omega, exponent)
+    [x, mean, axial]: [R::Quantity; 3],
+) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
+    let [sines_a, sines_b] = mean_phases.map(R::sine_cosine_sums);
+    let [values, slopes] = polynomials::<R::Coefficient, true>(rows, point);
+    let [re_a, im_a, re_b, im_b] = values;
+    let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, sines_a);
+    let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, sines_b);
+    let [a, b] = complex_pair(values.map(R::Coefficient::value));
+    let [a_slope, b_slope] = complex_pair(slopes.map(R::Coefficient::value));
+    let x = x * R::Quantity::from_f64((1_u32 << point.halvings) as f64);
+    let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
+    let n = change + (a.conj() * b).times_i().scaled(mean);
+    let n = if point.is_falling { -n.conj() } else { n };
+    let n = n * R::Coefficient::cis_of_difference([sines_a, sines_b]);
+    (Orientation { alpha, beta }, [n.im.doubled(), -n.re.doubled(), axial])
 }
 
 /// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients. The derivatives have a scale of their own.
@@ -217,16 +210,16 @@ pub(crate) fn tabulated_a_b<R: TableScalar>(
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {
     let x = <R::Coefficient as Coefficient>::Sum::coordinate(point);
-    horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum)).map(complex_pair)
+    horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum))
+        .map(|four| complex_pair(four.map(Into::into)))
 }
 
 /// a and b before the rotation at the centre of a segment, which are its constants, in the scale of [`tabulated_a_b`].
 pub(crate) fn a_b_at_centre<C: Coefficient>(constants: [C; 4]) -> [Complex<f64>; 2] {
-    complex_pair(constants.map(Coefficient::to_sum))
+    complex_pair(constants.map(|constant| constant.to_sum().into()))
 }
 
-fn complex_pair(four: [impl Into<f64>; 4]) -> [Complex<f64>; 2] {
-    let [re_a, im_a, re_b, im_b] = four.map(Into::into);
+fn complex_pair<Q>([re_a, im_a, re_b, im_b]: [Q; 4]) -> [Complex<Q>; 2] {
     [Complex::new(re_a, im_a), Complex::new(re_b, im_b)]
 }
 

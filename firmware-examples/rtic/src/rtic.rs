@@ -36,7 +36,7 @@ mod app {
     #[task(binds = SysTick, local = [table, cursor], shared = [now])]
     fn tick(mut context: tick::Context) {
         let (table, cursor) = (context.local.table, context.local.cursor);
-        let axis = cursor.next(table).orientation().axis();
+        let axis = cursor.next(table).axis();
         context.shared.now.lock(|now| *now = (cursor.tick(), axis));
     }
 

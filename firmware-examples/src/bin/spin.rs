@@ -87,9 +87,10 @@ fn SysTick() {
     *TICK += 1;
     critical_section::with(|cs| {
         let Some(table) = TABLE.borrow(cs).get() else { return };
-        let Pose { orientation, tip, .. } = table.at_tick(*TICK).pose();
+        let sample = table.at_tick(*TICK);
+        let orientation = sample.orientation();
         if *TICK % LOG_EVERY == 0 {
-            SNAPSHOT.borrow(cs).set(Some(Snapshot { tick: *TICK, orientation, tip }));
+            SNAPSHOT.borrow(cs).set(Some(Snapshot { tick: *TICK, orientation, tip: sample.tip() }));
         }
     });
 }

@@ -27,7 +27,7 @@ fn main() -> ! {
         SCB::clear_pendst();
         let now = cursor.next(&TOY_TOP);
         // a program uses the axis here, integers in units of 2^-30
-        let axis = now.orientation().axis();
+        let axis = now.axis();
         if tick % 100 == 0 {
             let [x, y, height] = axis.map(I2F30::to_num::<f32>);
             let tip = now.tip();

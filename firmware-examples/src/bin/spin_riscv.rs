@@ -5,7 +5,6 @@
 
 use riscv::asm::wfi;
 use riscv::register::mie;
-use toytop::Pose;
 use toytop_firmware::{entry, exit, set_up, toy_top};
 
 /// Frequency of the timer of QEMU's "virt" machine, Hz.
@@ -35,9 +34,10 @@ fn main() -> ! {
         while unsafe { MTIME.read_volatile() } < due {
             wfi();
         }
-        let Pose { orientation, tip, .. } = cursor.next(table).pose();
+        let now = cursor.next(table);
+        let axis = now.axis();
         if tick % 250 == 0 {
-            let [x, y, height] = orientation.axis();
+            let ([x, y, height], tip) = (axis, now.tip());
             defmt::info!("{=u32} ms: axis ({}, {}, {}), tip ({}, {}) m", tick, x, y, height, tip.re, tip.im);
         }
     }

@@ -7,7 +7,7 @@
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::SizedTable<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
     format: 9,
-    crc32: 0xe3ea0c2c,
+    crc32: 0xf0ec65fa,
     clock: toytop::Clock {
         step: [[2575318670, 588342322, 56542227], [1397476701, 672778249, 51392304], [1925780593, 2227764775, 4247109518]],
         tip_start_quarter_turns: 0,
@@ -26,7 +26,7 @@ pub static TOY_TOP: toytop::SizedTable<toytop::fixed::types::I2F30, 32> = match 
         epoch: 0,
     },
     error_bound: toytop::ErrorBound { constant: 1.810103083736809e-8, per_tick: 1.6813622725091162e-18 },
-    rate_error_bound: toytop::ErrorBound { constant: 0.00014552534081694555, per_tick: 2.598249987768306e-16 },
+    rate_error_bound: toytop::ErrorBound { constant: 0.0002633179655177185, per_tick: 2.598249987768306e-16 },
     cells: [2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2],
     segments: [
         [

@@ -66,8 +66,8 @@ impl PageMotion {
                 (state.orientation, tip)
             }
             (ClosedForm::None, Some(table)) => {
-                let pose = table.at(t).pose();
-                (pose.orientation, pose.tip)
+                let sample = table.at(t);
+                (sample.orientation(), sample.tip())
             }
             (ClosedForm::None, None) => (Orientation::IDENTITY, Complex::ZERO),
         }

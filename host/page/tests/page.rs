@@ -1,7 +1,7 @@
 //! Values that JavaScript receives, compared with the core.
 
 use toytop::scalar::Float;
-use toytop::{Motion, Pose, TableF64, Top};
+use toytop::{Motion, TableF64, Top};
 use toytop_model::constants::number_constants;
 use toytop_model::launch::{Kind, Launch};
 use toytop_model::motion_with_period::MotionWithPeriod;
@@ -36,7 +36,7 @@ fn a_pose_is_the_cores() {
         let core = TableF64::new(&motion, MotionWithPeriod::new(motion).tick()).unwrap();
         for t in [0.0, 0.3125, -7.1, 1e6] {
             let [a, b, c, d, u, .., x, y] = pose_numbers(table.at(t));
-            let Pose { orientation: phi, tip, .. } = core.at(t).pose();
+            let (phi, tip) = (core.at(t).orientation(), core.at(t).tip());
             assert_eq!([a, b, c, d], [phi.alpha.re, phi.alpha.im, phi.beta.re, phi.beta.im]);
             assert_eq!([u, x, y], [phi.u().clamp(-1.0, 1.0), tip.re, tip.im]);
         }

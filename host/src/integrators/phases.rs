@@ -139,8 +139,8 @@ impl PhaseFit<'_> {
         let azimuth = angles[1] - (a_rate + b_rate) * shift;
         let roll = angles[2] - (a_rate - b_rate) * shift;
         let predicted = Orientation {
-            alpha: turned(exact.pose.orientation.alpha, 0.5 * (azimuth + roll)),
-            beta: turned(exact.pose.orientation.beta, 0.5 * (azimuth - roll)),
+            alpha: turned(exact.orientation.alpha, 0.5 * (azimuth + roll)),
+            beta: turned(exact.orientation.beta, 0.5 * (azimuth - roll)),
         };
         let (axis, up) = (Vector3::from(predicted.axis()), Vector3::z());
         let mut slopes = Matrix3::from_columns(&[Vector3::zeros(), Vector3::zeros(), axis]);

@@ -93,13 +93,13 @@ impl Scorer {
 
     /// Errors of the orientation of a row, rad, and of its u.
     fn errors(&self, row: &TrajectoryRow) -> [f64; 2] {
-        let exact = self.evaluator.pose(row.t).orientation;
+        let exact = self.evaluator.orientation(row.t);
         [orientation_error(&exact, &row.orientation), (row.orientation.u() - exact.u()).abs()]
     }
 
     fn tip_error(&self, row: &TrajectoryRow) -> Option<f64> {
         let [x, y] = row.tip?;
-        let exact = self.evaluator.pose(row.t).tip;
+        let exact = self.evaluator.tip(row.t);
         Some((x - exact.re).hypot(y - exact.im))
     }
 
@@ -114,7 +114,7 @@ impl Scorer {
     fn warning(&self, first: &TrajectoryRow) -> Option<String> {
         let exact = self.evaluator.at(first.t);
         let [error, _] = self.errors(first);
-        let inverse = orientation_error(&exact.pose.orientation, &first.orientation.inverse());
+        let inverse = orientation_error(&exact.orientation, &first.orientation.inverse());
         let speed =
             distance(exact.rates.omega, [0.0; 3]).max(2.0 * PI / self.evaluator.motion.characteristic_time());
         let rate_error = first.omega.map_or(0.0, |omega| distance(omega, exact.rates.omega)) / speed;

@@ -2,7 +2,7 @@
 
 use super::euler_angles;
 use super::sample::MotionSample;
-use toytop::{Complex, Pose, Support};
+use toytop::{Complex, Support};
 use toytop_model::constants::Unit::{self, Any, Si};
 
 /// Quantity of a sample, one number or several.
@@ -90,7 +90,7 @@ impl SampleColumn {
     pub fn write(self, sample: &MotionSample, row: &mut [f64]) {
         let mut put = |numbers: &[f64]| row.copy_from_slice(numbers);
         let parts = |z: Complex<f64>| [z.re, z.im];
-        let MotionSample { t, pose: Pose { orientation, u, tip }, rates, tip_angle, error_bound } = sample;
+        let MotionSample { t, orientation, u, tip, rates, tip_angle, error_bound } = sample;
         match self {
             Self::T => put(&[*t]),
             Self::U => put(&[*u]),

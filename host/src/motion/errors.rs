@@ -46,11 +46,11 @@ pub struct Errors {
 impl Errors {
     /// Errors of a sample of a motion whose orientation is `truth`.
     pub fn between(motion: &Motion, sample: &MotionSample, truth: &Orientation<f64>) -> Self {
-        let orientation = sample.pose.orientation;
-        let tip = sample.pose.tip.scaled(1.0 / motion.top().tip_scale()) - truth.tip_over_s();
+        let orientation = sample.orientation;
+        let tip = sample.tip.scaled(1.0 / motion.top().tip_scale()) - truth.tip_over_s();
         Self {
             orientation: orientation.distance(truth),
-            u: (sample.pose.u - truth.u()).abs(),
+            u: (sample.u - truth.u()).abs(),
             tip: tip.modulus(),
             norm: (orientation.norm_squared() - 1.0).abs(),
             drift: Drifts::new(motion, &orientation, orientation.adjoint(sample.rates.omega_body)),

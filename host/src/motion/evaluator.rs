@@ -18,7 +18,7 @@ use crate::motion::sample::MotionSample;
 use closed_form::rate_error_bound;
 use evaluate::Evaluate;
 use fixed::types::{I2F14, I2F30};
-use toytop::{ErrorBound, ParameterError, Pose, TableScalar, TableSettings};
+use toytop::{Complex, ErrorBound, Orientation, ParameterError, TableScalar, TableSettings};
 use toytop_model::aperiodic::AperiodicMotion;
 use toytop_model::motion_with_period::{MAX_TICKS, MotionWithPeriod};
 
@@ -121,9 +121,14 @@ impl MotionEvaluator {
         self.evaluator.sample(n as f64 / self.ticks_per_time, Some(n), None)
     }
 
-    /// Orientation, u and tip t units of time after t = 0.
-    pub fn pose(&self, t: f64) -> Pose<f64, f64> {
-        self.evaluator.sample(t, None, Some(SampleColumn::U)).pose
+    /// Orientation t units of time after t = 0.
+    pub fn orientation(&self, t: f64) -> Orientation<f64> {
+        self.evaluator.sample(t, None, Some(SampleColumn::Quaternion)).orientation
+    }
+
+    /// Position of the tip t units of time after t = 0, m.
+    pub fn tip(&self, t: f64) -> Complex<f64> {
+        self.evaluator.sample(t, None, Some(SampleColumn::Tip)).tip
     }
 
     /// Events of a query, in the order of their times.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 use toytop::scalar::Real;
-use toytop::{AttitudeState, Complex, Orientation, Phase, Pose};
+use toytop::{AttitudeState, Complex, Orientation, Phase};
 use toytop_model::equations::Rates;
 
 /// Motion at one time in `f64`.
@@ -10,8 +10,12 @@ use toytop_model::equations::Rates;
 pub struct MotionSample {
     /// Time, s.
     pub t: f64,
-    /// Orientation Φ, cosine u of the tilt, and position of the tip c = 2 s αβ, m; 2 αβ for a fixed tip.
-    pub pose: Pose<f64, f64>,
+    /// Orientation Φ.
+    pub orientation: Orientation<f64>,
+    /// Cosine u of the tilt.
+    pub u: f64,
+    /// Position of the tip c = 2 s αβ, m; 2 αβ for a fixed tip.
+    pub tip: Complex<f64>,
     /// Angular velocities, and rate of u.
     pub rates: Rates,
     /// Tip angle continued from t = 0, rad; `None` where the axis is vertical at all times or the motion has no table.
@@ -24,7 +28,9 @@ impl MotionSample {
     /// Sample without quantities: its numbers are NaN.
     pub(super) const EMPTY: Self = Self {
         t: f64::NAN,
-        pose: Pose { orientation: Orientation { alpha: NAN, beta: NAN }, u: f64::NAN, tip: NAN },
+        orientation: Orientation { alpha: NAN, beta: NAN },
+        u: f64::NAN,
+        tip: NAN,
         rates: Rates { omega: [f64::NAN; 3], omega_body: [f64::NAN; 3], udot: f64::NAN },
         tip_angle: None,
         error_bound: None,
@@ -37,10 +43,15 @@ impl MotionSample {
         tip: Complex<R>,
         tip_angle: Option<f64>,
     ) -> Self {
-        let orientation = state.orientation.map(R::to_f64);
-        let u = state.orientation.u().to_f64().clamp(-1.0, 1.0);
-        let pose = Pose { orientation, u, tip: tip.map(R::to_f64) };
-        Self { t, pose, rates: Rates::from_attitude(state), tip_angle, error_bound: None }
+        Self {
+            t,
+            orientation: state.orientation.map(R::to_f64),
+            u: state.orientation.u().to_f64().clamp(-1.0, 1.0),
+            tip: tip.map(R::to_f64),
+            rates: Rates::from_attitude(state),
+            tip_angle,
+            error_bound: None,
+        }
     }
 }
 

@@ -4,7 +4,7 @@ use crate::motion::Scalar;
 use crate::motion::evaluator::MotionEvaluator;
 use crate::motion::sample::MotionSample;
 use std::f64::consts::PI;
-use toytop::{Complex, Orientation, Pose, TipClass};
+use toytop::{Complex, Orientation, TipClass};
 use toytop_model::equations::Rates;
 use toytop_model::motion_with_period::MotionWithPeriod;
 
@@ -29,9 +29,9 @@ impl TipAngle {
     /// Sample at a time, from the orientation and the rates there.
     pub fn sample(&self, t: f64, orientation: Orientation<f64>, rates: Rates) -> MotionSample {
         let tip = orientation.tip_over_s().scaled(self.motion.top().tip_scale());
-        let pose = Pose { orientation, u: orientation.u().clamp(-1.0, 1.0), tip };
+        let u = orientation.u().clamp(-1.0, 1.0);
         let tip_angle = self.continued(t, orientation.alpha * orientation.beta);
-        MotionSample { t, pose, rates, tip_angle, error_bound: None }
+        MotionSample { t, orientation, u, tip, rates, tip_angle, error_bound: None }
     }
 
     /// Argument of αβ, rad, in the turn of the evaluator's tip angle at t. Where |αβ| is too small, it is the evaluator's angle itself.

@@ -80,7 +80,7 @@ impl TipCurve {
         // where the tip does not slide, the curve of the axis is drawn: -2αβ
         let sense = if motion.top().support() == Support::Sliding { 1.0 } else { -1.0 };
         let tip = |t: f64| {
-            let c = span.at(t).pose.tip;
+            let c = span.at(t).tip;
             [sense * c.re, sense * c.im]
         };
         // rounding errors of a table are not drawn

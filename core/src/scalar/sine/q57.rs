@@ -1,7 +1,7 @@
 //! Sines of phases of 96 bits in integers, from power series: for set-ups.
 //!
 //! Their error of 2^-56 is far below the roundings of a table. Without an FPU these sines are five times as fast as those in `f64`; with
-//! an FPU they take three times as long, so that [`Scalar::sine_cosine`](crate::scalar::Scalar::sine_cosine) does not use them.
+//! an FPU they take three times as long, so that [`Real::sine_cosine`](crate::scalar::Real::sine_cosine) does not use them.
 
 use super::rotate_quarter_turns;
 use crate::integer::{Limbs, product_i32};

@@ -14,7 +14,7 @@ use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring, Scalar};
+use crate::scalar::{Extended, Float, Real, Ring};
 use crate::table::data::Phases;
 use crate::table::data::cell::Cell;
 use expansion::{Expansion, ExpansionPoint, PathPhases};
@@ -272,7 +272,7 @@ impl<'a, F: Float> Path<'a, F> {
     /// Errors at the end of the path: of χ, as a delay in half periods, and of the residual phases, rad.
     pub(super) fn errors(&self) -> [f64; 2] {
         /// Delay by the roundings of χ at the launch and of the local coordinate, in half periods.
-        const ROUNDING_DELAY: f64 = 4.0 * f64::ROUNDING;
+        const ROUNDING_DELAY: f64 = 4.0 * f64::OPERATION_ERROR;
         let PathPoint { phases: PathPhases { chi, residual }, error } = self.end;
         // from an odd number of quarter turns, rad
         let distance = |angle: Phase| {

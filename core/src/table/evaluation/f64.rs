@@ -1,11 +1,8 @@
 //! Evaluation in `f64`.
 
 use crate::complex::Complex;
-use crate::scalar::{Extended, Scalar, fraction_of_word, sine_cosine_f64};
-use crate::su2::Vector;
-use crate::table::evaluation::{
-    Coefficient, SegmentPoint, TABLE_UNIT, TableScalar, TickErrors, TickNumber, range,
-};
+use crate::scalar::{Extended, fraction_of_word, sine_cosine_f64};
+use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_UNIT, TableScalar, TickErrors, range};
 
 impl TableScalar for f64 {
     type Coefficient = Self;
@@ -14,14 +11,15 @@ impl TableScalar for f64 {
     type PeriodNumber = Extended;
     type PathNumber = Extended;
 
+    const ROUNDING: f64 = Self::EPSILON / 2.0;
     const CODE: u32 = 64;
     const TERMS: usize = 11;
     const ZERO_SEGMENT: Self::Segment = [[0.0; 4]; 11];
     const ERRORS: TickErrors = TickErrors {
-        orientation: 24.0 * <Self as Scalar>::ROUNDING,
+        orientation: 24.0 * Self::ROUNDING,
         coordinate: 0.0,
         omega: 0.0,
-        relative_omega: 11.0 * <Self as Scalar>::ROUNDING,
+        relative_omega: 21.0 * Self::ROUNDING,
     };
 
     #[inline]
@@ -38,6 +36,7 @@ impl TableScalar for f64 {
 impl Coefficient for f64 {
     type Sum = Self;
     type Number = Self;
+    type Quantity = Self;
 
     fn nearest(value: i64, _: usize) -> Self {
         value as f64 * TABLE_UNIT
@@ -73,34 +72,17 @@ impl Coefficient for f64 {
     }
 
     #[inline(always)]
-    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> [f64; 2] {
-        let difference = Complex::new(cosine_a, sine_a).conj() * Complex::new(cosine_b, sine_b);
-        [difference.im, difference.re]
+    fn cis_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> Complex<f64> {
+        Complex::new(cosine_a, sine_a).conj() * Complex::new(cosine_b, sine_b)
     }
-}
-
-impl TickNumber for f64 {
-    type Sum = Self;
-    type Quantity = Self;
 
     #[inline]
-    fn to_quantity(self, _: i32) -> Self {
-        self
+    fn number(number: f64) -> f64 {
+        number
     }
 
-    #[inline(always)]
-    fn omega_body(
-        polynomials: [[f64; 4]; 2],
-        [sine, cosine]: [f64; 2],
-        point: SegmentPoint,
-        [x, mean, axial]: [f64; 3],
-    ) -> (Vector<f64>, i32) {
-        let pair = |[re_a, im_a, re_b, im_b]: [f64; 4]| [Complex::new(re_a, im_a), Complex::new(re_b, im_b)];
-        let [[a, b], [a_slope, b_slope]] = polynomials.map(pair);
-        let x = x * Self::from(1_u16 << point.halvings);
-        let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
-        let n = change + (a.conj() * b).times_i().scaled(mean);
-        let n = if point.is_falling { -n.conj() } else { n } * Complex::new(cosine, sine);
-        ([2.0 * n.im, -2.0 * n.re, axial], 0)
+    #[inline]
+    fn value(sum: f64) -> f64 {
+        sum
     }
 }

@@ -2,10 +2,10 @@
 
 use crate::complex::Complex;
 use crate::integer::shifted_right;
-use crate::scalar::{Q30, Wide, coarse_sine_cosine_q30};
+use crate::scalar::{Q14, Q30, Wide, coarse_sine_cosine_q30};
 use crate::table::evaluation::i32::{COORDINATE_ERROR, ERRORS_Q30};
 use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_BITS, TableScalar, TickErrors, range};
-use fixed::types::I2F14;
+use fixed::{Wrapping, types::I2F14};
 
 /// Unit of the sums, 2^-15.
 const UNIT_Q15: f64 = 1.0 / (1_u64 << 15) as f64;
@@ -17,6 +17,7 @@ impl TableScalar for I2F14 {
     type PeriodNumber = Wide<1>;
     type PathNumber = f64;
 
+    const ROUNDING: f64 = 0.5 / (1_u64 << 14) as f64;
     const CODE: u32 = 15;
     const TERMS: usize = 3;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 3];
@@ -28,8 +29,8 @@ impl TableScalar for I2F14 {
     };
 
     #[inline]
-    fn from_number(number: Q30) -> Self {
-        Self::from_bits((number.0 >> 16) as i16)
+    fn from_number(Wrapping(number): Q14) -> Self {
+        number
     }
 
     #[inline(always)]
@@ -41,7 +42,8 @@ impl TableScalar for I2F14 {
 
 impl Coefficient for i16 {
     type Sum = i32;
-    type Number = Q30;
+    type Number = Q14;
+    type Quantity = f32;
 
     fn nearest(value: i64, power: usize) -> Self {
         /// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.
@@ -86,14 +88,25 @@ impl Coefficient for i16 {
 
     /// Result rounded to 2^-14.
     #[inline(always)]
-    fn rotated([re, im]: [i32; 2], is_falling: bool, [sine, cosine]: [i32; 2]) -> Complex<Q30> {
+    fn rotated([re, im]: [i32; 2], is_falling: bool, [sine, cosine]: [i32; 2]) -> Complex<Q14> {
         let [re, im] = [re, im ^ -i32::from(is_falling)].map(|part| part >> 16);
-        let rounded = |part: i32| Q30((part + (1 << 15)) >> 16 << 16);
+        let rounded = |part: i32| Wrapping(I2F14::from_bits(((part + (1 << 15)) >> 16) as i16));
         Complex::new(rounded(re * cosine - im * sine), rounded(re * sine + im * cosine))
     }
 
     #[inline(always)]
-    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
-        [cosine_a * sine_b - sine_a * cosine_b, cosine_a * cosine_b + sine_a * sine_b]
+    fn cis_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> Complex<f32> {
+        Complex::new(Q30(cosine_a * cosine_b + sine_a * sine_b), Q30(cosine_a * sine_b - sine_a * cosine_b))
+            .map(Into::into)
+    }
+
+    #[inline(always)]
+    fn number(Wrapping(number): Q14) -> f32 {
+        number.into()
+    }
+
+    #[inline(always)]
+    fn value(sum: i32) -> f32 {
+        i32::value(sum)
     }
 }

@@ -6,7 +6,7 @@
 
 use crate::complex::Complex;
 use crate::integer::{high_product, shifted_right};
-use crate::scalar::{Q30, Scalar, Wide, short_sine_cosine_q31};
+use crate::scalar::{Q30, Wide, short_sine_cosine_q31};
 use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_BITS, TableScalar, TickErrors, range};
 #[cfg(feature = "fixed")]
 use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
@@ -19,8 +19,8 @@ pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
 pub(super) const ERRORS_Q30: TickErrors = TickErrors {
     orientation: (15.2 + 2.83 * 1.23) * UNIT_Q30,
     coordinate: COORDINATE_ERROR,
-    omega: 44.0 * UNIT_Q30,
-    relative_omega: 3.7 * <f32 as Scalar>::ROUNDING,
+    omega: 16.0 * UNIT_Q30,
+    relative_omega: 21.0 * f32::ROUNDING,
 };
 
 impl TableScalar for f32 {
@@ -30,6 +30,7 @@ impl TableScalar for f32 {
     type PeriodNumber = Wide<1>;
     type PathNumber = f64;
 
+    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
     const CODE: u32 = 32;
     const TERMS: usize = 5;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
@@ -39,7 +40,7 @@ impl TableScalar for f32 {
 
     #[inline]
     fn from_number(number: Q30) -> Self {
-        number.to_f32(0)
+        number.into()
     }
 
     #[inline(always)]
@@ -56,6 +57,7 @@ impl TableScalar for I2F30 {
     type PeriodNumber = Wide<1>;
     type PathNumber = f64;
 
+    const ROUNDING: f64 = 0.5 * UNIT_Q30;
     const CODE: u32 = 31;
     const TERMS: usize = 4;
     const ZERO_SEGMENT: Self::Segment = [[0; 4]; 4];
@@ -76,6 +78,7 @@ impl TableScalar for I2F30 {
 impl Coefficient for i32 {
     type Sum = Self;
     type Number = Q30;
+    type Quantity = f32;
 
     /// Coefficient in units of 2^-(31 + power). It has half a unit more, because the product added to it is rounded down. The constant has none: a
     /// complement changes its sign.
@@ -126,11 +129,22 @@ impl Coefficient for i32 {
     }
 
     #[inline(always)]
-    fn sine_cosine_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> [i32; 2] {
-        [
-            high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b),
-            high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b),
-        ]
+    fn cis_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> Complex<f32> {
+        Complex::new(
+            Q30(high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b)),
+            Q30(high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b)),
+        )
+        .map(Into::into)
+    }
+
+    #[inline(always)]
+    fn number(number: Q30) -> f32 {
+        number.into()
+    }
+
+    #[inline(always)]
+    fn value(sum: i32) -> f32 {
+        Q30(sum >> 1).into()
     }
 }
 

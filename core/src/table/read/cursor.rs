@@ -1,7 +1,6 @@
 //! Cursor: consecutive ticks by adding increments to the phases.
 
-use crate::phase::{Phase, WrappedPhase};
-use crate::su2::Orientation;
+use crate::phase::WrappedPhase;
 use crate::table::data::{Instant, Phases, Table};
 use crate::table::evaluation::TableScalar;
 use crate::table::read::sample::Sample;
@@ -70,18 +69,6 @@ impl<R: TableScalar> Table<R> {
     pub fn cursor(&self, first: i64) -> Cursor<R> {
         let phases = self.clock.phases_at_tick(first).zip_map(self.clock.steps(), WrappedPhase::minus);
         Cursor { phases, low: 0, high: first.wrapping_sub(1), scalar: PhantomData }
-    }
-
-    /// Fills `out` with the orientations at the ticks first, first + 1, ..., also beyond 2^63 - 1. The bits are those of [`Table::at_tick`]; faster on a PC.
-    pub fn fill_orientations(&self, first: i64, out: &mut [Orientation<R>]) {
-        // as 128-bit numbers, which need no assembly from words
-        let step = self.clock.steps().map(WrappedPhase::to_phase);
-        let mut now = self.clock.phases_at_tick(first).map(WrappedPhase::to_phase);
-        for orientation in out {
-            let phases = now.map(Phase::leading_bits);
-            *orientation = Sample { table: self, phases, instant: Instant::ZERO }.orientation();
-            now.update(step, |now, step| now + step);
-        }
     }
 }
 

@@ -6,7 +6,7 @@ use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::{Instant, Phases, Table};
-use crate::table::evaluation::{NumberOf, TableScalar, TickNumber, orientation, orientation_and_omega_body};
+use crate::table::evaluation::{Coefficient, NumberOf, TableScalar, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
@@ -24,13 +24,13 @@ pub struct Sample<'a, R: TableScalar> {
 /// Orientation, u and tip of a sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Pose<R, W> {
+pub struct Pose<R> {
     /// Orientation Φ.
     pub orientation: Orientation<R>,
     /// Cosine u of the tilt: see [`Sample::u`].
     pub u: R,
-    /// Position c of the tip: see [`Sample::tip`].
-    pub tip: Complex<W>,
+    /// Position 2αβ of the tip in units of s: see [`Sample::tip`].
+    pub tip_over_s: Complex<R>,
 }
 
 impl<R: TableScalar> Sample<'_, R> {
@@ -50,13 +50,12 @@ impl<R: TableScalar> Sample<'_, R> {
     /// Orientation, u and tip.
     #[inline(always)]
     #[must_use]
-    pub fn pose(&self) -> Pose<R, R::Quantity> {
+    pub fn pose(&self) -> Pose<R> {
         let numbers = self.unrounded();
-        let product = (numbers.alpha * numbers.beta).map(|part| part.to_quantity(0));
         Pose {
             orientation: numbers.map(R::from_number),
             u: R::from_number(numbers.u()),
-            tip: product.scaled(self.table.clock.twice_tip_scale),
+            tip_over_s: numbers.tip_over_s().map(R::from_number),
         }
     }
 
@@ -82,15 +81,16 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R::Quantity> {
-        self.pose().tip
+        let Orientation { alpha, beta } = self.unrounded();
+        (alpha * beta).map(R::Coefficient::number).scaled(self.table.clock.twice_tip_scale)
     }
 
     /// Angular velocity ω in the fixed frame, rad/s.
     #[inline(always)]
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
-        orientation.adjoint(omega_body).map(|rate| rate.to_quantity(exponent))
+        let (orientation, omega_body) = self.unrounded_and_omega_body();
+        orientation.map(R::Coefficient::number).adjoint(omega_body)
     }
 
     /// Angular velocity Ω in the body frame, rad/s.
@@ -130,7 +130,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.unrounded_and_omega_body();
-        AttitudeState::from_body(numbers.map(|part| part.to_quantity(0)), omega_body)
+        AttitudeState::from_body(numbers.map(R::Coefficient::number), omega_body)
     }
 
     /// State, with the error of the sample, from which another motion can be launched.
@@ -148,27 +148,19 @@ impl<R: TableScalar> Sample<'_, R> {
         orientation::<R>(rows, point, [alpha, beta])
     }
 
-    /// Unrounded orientation, and Ω over a power of two with its exponent.
+    /// Unrounded orientation, and Ω.
     #[inline(always)]
-    fn unrounded_and_scaled_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<NumberOf<R>>, i32) {
+    fn unrounded_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
         let Phases { nutation, alpha, beta } = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation_and_omega_body::<R>(rows, point, [alpha, beta], self.table.clock.rates())
     }
 
-    /// Unrounded orientation, and Ω.
-    #[inline(always)]
-    fn unrounded_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
-        let (orientation, [x1, x2, _], exponent) = self.unrounded_and_scaled_omega_body();
-        let [x1, x2] = [x1, x2].map(|x| x.to_quantity(exponent));
-        (orientation, [x1, x2, self.table.clock.axial_rate])
-    }
-
     /// Rate r' of the axis in the fixed frame.
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body, exponent) = self.unrounded_and_scaled_omega_body();
-        orientation.axis_rate(omega_body).map(|rate| rate.to_quantity(exponent))
+        let (orientation, omega_body) = self.unrounded_and_omega_body();
+        orientation.map(R::Coefficient::number).axis_rate(omega_body)
     }
 }
 

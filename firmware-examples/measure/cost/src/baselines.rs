@@ -1,11 +1,10 @@
 //! Baselines: calls of other code for the tasks of core's calls.
 
-use fixed::types::I2F30;
 use micromath::F32Ext;
 use multicalc::linear_algebra::Vector;
 use multicalc::ode::Rk4;
 use toytop::Phase;
-use toytop::scalar::{Float, Scalar};
+use toytop::scalar::{Float, Real};
 
 use crate::calls::Output;
 use crate::full_equations::{Constants, Point, orientation, renormalised};
@@ -13,7 +12,7 @@ use crate::full_equations::{Constants, Point, orientation, renormalised};
 #[inline(always)]
 fn step<R: Float>(constants: &Constants<R>, y: &mut Point<R>, out: &mut Output<R>) {
     constants.step(y);
-    *out = Output::of(orientation(*y), constants.tip_scale);
+    *out = Output::of(orientation(*y));
 }
 
 symbols! {
@@ -29,16 +28,12 @@ symbols! {
     fn bench_multicalc_rk4_f32(constants: &Constants<f32>, y: &mut Point<f32>, out: &mut Output<f32>) {
         let rates = |_, y: &Vector<6, f32>| Vector::new(constants.rates(y.into_array()));
         *y = renormalised(Rk4::step(&rates, 0.0, &Vector::new(*y), constants.dt).into_array());
-        *out = Output::of(orientation(*y), constants.tip_scale);
+        *out = Output::of(orientation(*y));
     }
 
     /// Sine and cosine of an integer phase, which is the argument in a tick.
     fn bench_sincos_ours_f32(phase: &Phase, out: &mut [f32; 2]) {
         *out = f32::sine_cosine(*phase).into();
-    }
-
-    fn bench_sincos_ours_q31(phase: &Phase, out: &mut [I2F30; 2]) {
-        *out = I2F30::sine_cosine(*phase).into();
     }
 
     fn bench_sincos_ours_f64(phase: &Phase, out: &mut [f64; 2]) {

@@ -16,13 +16,14 @@ pub(crate) const TICK_RATE: u32 = 1000;
 pub(crate) struct Output<R> {
     pub(crate) orientation: Orientation<R>,
     pub(crate) u: R,
-    /// Tip, m; in fixed point in units of s.
+    /// Tip in units of s.
     pub(crate) c: Complex<R>,
 }
 
-impl<R: Ring> Default for Output<R> {
+impl<R: Default> Default for Output<R> {
     fn default() -> Self {
-        Self { orientation: Orientation::IDENTITY, u: R::ZERO, c: Complex::new(R::ZERO, R::ZERO) }
+        let zero = || Complex::new(R::default(), R::default());
+        Self { orientation: Orientation { alpha: zero(), beta: zero() }, u: R::default(), c: zero() }
     }
 }
 
@@ -100,46 +101,25 @@ fn rates<R>((Orientation { alpha, beta }, omega): (Orientation<R>, [f32; 3])) ->
     (alpha, beta, omega)
 }
 
-/// Stepper with the scale 2 s of the tip.
-pub(crate) struct Stepping<R> {
-    stepper: Stepper<R>,
-    tip_scale: R,
-}
-
-impl<R: Real> Stepping<R> {
-    pub(crate) fn new(motion: &Motion) -> Self {
-        Self { stepper: Stepper::new(motion), tip_scale: R::from_f64(2.0 * motion.top().com_height()) }
-    }
-
-    #[inline(always)]
-    pub(crate) fn step(&mut self, out: &mut Output<R>) {
-        self.stepper.step(R::from_f64(1.0 / TICK_RATE as f64));
-        *out = Output::of(self.stepper.orientation(), self.tip_scale);
-    }
-}
-
 impl<R: Ring> Output<R> {
     #[inline(always)]
-    pub(crate) fn of(orientation: Orientation<R>, tip_scale: R) -> Self {
-        let c = (orientation.alpha * orientation.beta).scaled(tip_scale);
-        Self { orientation, u: orientation.u(), c }
-    }
-}
-
-impl<R: TableScalar<Quantity = R>> Output<R> {
-    #[inline(always)]
-    pub(crate) fn floating(sample: Sample<'_, R>) -> Self {
-        let Pose { orientation, u, tip } = sample.pose();
-        Self { orientation, u, c: tip }
-    }
-}
-
-impl<R: TableScalar> Output<R> {
-    #[inline(always)]
-    fn fixed_point(sample: Sample<'_, R>) -> Self {
-        let orientation = sample.orientation();
+    pub(crate) fn of(orientation: Orientation<R>) -> Self {
         Self { orientation, u: orientation.u(), c: orientation.tip_over_s() }
     }
+}
+
+impl<R: TableScalar> From<Sample<'_, R>> for Output<R> {
+    #[inline(always)]
+    fn from(sample: Sample<'_, R>) -> Self {
+        let Pose { orientation, u, tip_over_s } = sample.pose();
+        Self { orientation, u, c: tip_over_s }
+    }
+}
+
+#[inline(always)]
+fn step<R: Real>(stepper: &mut Stepper<R>, out: &mut Output<R>) {
+    stepper.step(R::from_f64(1.0 / TICK_RATE as f64));
+    *out = Output::of(stepper.orientation());
 }
 
 symbols! {
@@ -152,7 +132,7 @@ symbols! {
     fn bench_new(measured: &Measured, out: &mut Output<f32>) -> bool {
         let (Ok(motion), Ok(tick)) = (measured.motion(), Tick::hertz(TICK_RATE)) else { return false };
         let Ok(table) = TableF32::new(&motion, tick) else { return false };
-        *out = Output::floating(table.at_tick(0));
+        *out = table.at_tick(0).into();
         true
     }
 
@@ -173,35 +153,35 @@ symbols! {
     }
 
     fn bench_ephemeris_f32(table: &TableF32, tick: i64, out: &mut Output<f32>) {
-        *out = Output::floating(table.at_tick(tick));
+        *out = table.at_tick(tick).into();
     }
 
     fn bench_cursor_f32(reader: &mut Reader<'_, f32, TableF32>, out: &mut Output<f32>) {
-        *out = Output::floating(reader.cursor.next(reader.table));
+        *out = reader.cursor.next(reader.table).into();
     }
 
     fn bench_ephemeris_f64(table: &TableF64, tick: i64, out: &mut Output<f64>) {
-        *out = Output::floating(table.at_tick(tick));
+        *out = table.at_tick(tick).into();
     }
 
     fn bench_cursor_f64(reader: &mut Reader<'_, f64, TableF64>, out: &mut Output<f64>) {
-        *out = Output::floating(reader.cursor.next(reader.table));
+        *out = reader.cursor.next(reader.table).into();
     }
 
     fn bench_ephemeris_q31(table: &TableQ31, tick: i64, out: &mut Output<I2F30>) {
-        *out = Output::fixed_point(table.at_tick(tick));
+        *out = table.at_tick(tick).into();
     }
 
     fn bench_cursor_q31(reader: &mut Reader<'_, I2F30, TableQ31>, out: &mut Output<I2F30>) {
-        *out = Output::fixed_point(reader.cursor.next(reader.table));
+        *out = reader.cursor.next(reader.table).into();
     }
 
     fn bench_ephemeris_q15(table: &TableQ15, tick: i64, out: &mut Output<I2F14>) {
-        *out = Output::fixed_point(table.at_tick(tick));
+        *out = table.at_tick(tick).into();
     }
 
     fn bench_cursor_q15(reader: &mut Reader<'_, I2F14, TableQ15>, out: &mut Output<I2F14>) {
-        *out = Output::fixed_point(reader.cursor.next(reader.table));
+        *out = reader.cursor.next(reader.table).into();
     }
 
     /// Parameters α and β, and the tip in m.
@@ -227,11 +207,11 @@ symbols! {
         *out = rates((state.orientation, state.omega()));
     }
 
-    fn bench_stepper_f32(stepping: &mut Stepping<f32>, out: &mut Output<f32>) {
-        stepping.step(out);
+    fn bench_stepper_f32(stepper: &mut Stepper<f32>, out: &mut Output<f32>) {
+        step(stepper, out);
     }
 
-    fn bench_stepper_f64(stepping: &mut Stepping<f64>, out: &mut Output<f64>) {
-        stepping.step(out);
+    fn bench_stepper_f64(stepper: &mut Stepper<f64>, out: &mut Output<f64>) {
+        step(stepper, out);
     }
 }

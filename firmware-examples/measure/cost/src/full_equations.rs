@@ -23,8 +23,6 @@ pub(crate) struct Constants<R> {
     a_per_ps: R,
     /// Product p g, kg m²/s².
     pg: R,
-    /// Length 2 s, m.
-    pub(crate) tip_scale: R,
     /// Length of a step, and parts of it.
     pub(crate) dt: R,
     half: R,
@@ -40,9 +38,8 @@ impl<R: Float> Constants<R> {
         let [m3, per_a, axial, a_per_ps, pg] =
             [motion.first_integrals().l, 1.0 / a, (c - a) / c, a / ps, top.mass_moment() * top.gravity()]
                 .map(R::from_f64);
-        let [tip_scale, dt, half, third, sixth] =
-            [2.0 * top.com_height(), dt, dt / 2.0, dt / 3.0, dt / 6.0].map(R::from_f64);
-        Self { m3, per_a, axial, a_per_ps, pg, tip_scale, dt, half, third, sixth }
+        let [dt, half, third, sixth] = [dt, dt / 2.0, dt / 3.0, dt / 6.0].map(R::from_f64);
+        Self { m3, per_a, axial, a_per_ps, pg, dt, half, third, sixth }
     }
 
     /// Rates Φ' and m'.

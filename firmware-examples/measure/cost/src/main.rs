@@ -25,12 +25,12 @@ mod full_equations;
 use core::hint::black_box;
 use core::mem::size_of_val;
 
-use calls::{Measured, Memory, Output, Reader, Stepping};
+use calls::{Measured, Memory, Output, Reader};
 use full_equations::{Constants, Point};
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
-    Motion, Orientation, Phase, Pose, State, TableF32, TableF64, TableQ15, TableQ31, Tick, Workspace,
+    Motion, Orientation, Phase, Pose, State, Stepper, TableF32, TableF64, TableQ15, TableQ31, Tick, Workspace,
 };
 use toytop_cost::entry;
 use toytop_cost::meter::Meter;
@@ -147,14 +147,14 @@ fn stepper<R: Real + Default>(
     meter: &mut Meter,
     motion: &Motion,
     name: &str,
-    call: extern "C" fn(&mut Stepping<R>, &mut Output<R>),
+    call: extern "C" fn(&mut Stepper<R>, &mut Output<R>),
 ) {
-    let (mut stepping, mut out) = (Stepping::<R>::new(motion), Output::default());
-    meter.measure(name, size_of_val(&stepping), CALLS, |_| call(&mut stepping, &mut out));
+    let (mut stepper, mut out) = (Stepper::<R>::new(motion), Output::default());
+    meter.measure(name, size_of_val(&stepper), CALLS, |_| call(&mut stepper, &mut out));
     black_box(out);
 }
 
-fn runge_kutta<R: Float>(
+fn runge_kutta<R: Float + Default>(
     meter: &mut Meter,
     name: &str,
     (motion, state): (&Motion, &State),
@@ -176,7 +176,6 @@ fn sines(meter: &mut Meter) {
     let angles: [f64; CALLS] = black_box(core::array::from_fn(|call| call as f64 * 0.75));
     let single = black_box(angles.map(|angle| angle as f32));
     sine(meter, "bench_sincos_ours_f32", turns.each_ref(), baselines::bench_sincos_ours_f32);
-    sine(meter, "bench_sincos_ours_q31", turns.each_ref(), baselines::bench_sincos_ours_q31);
     sine(meter, "bench_sincos_libm_f32", single, baselines::bench_sincos_libm_f32);
     sine(meter, "bench_sincos_micromath_f32", single, baselines::bench_sincos_micromath_f32);
     sine(meter, "bench_sincos_ours_f64", turns.each_ref(), baselines::bench_sincos_ours_f64);
@@ -196,7 +195,7 @@ fn sine<A: Copy, O: Default>(
 
 /// Asserts that a baseline has the orientation and tip of the table after the same number of ticks.
 fn same_motion<R: Float>(out: &Output<R>, truth: &TableF32) {
-    let Pose { orientation, u, tip } = truth.at_tick(CALLS as i64).pose();
+    let Pose { orientation, u, tip_over_s: tip } = truth.at_tick(CALLS as i64).pose();
     let near = |found: R, there: f32| (found.to_f64() - f64::from(there)).abs() < 1e-5;
     let Orientation { alpha, beta } = out.orientation;
     assert!(

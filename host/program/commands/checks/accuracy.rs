@@ -160,7 +160,7 @@ fn errors_of_motion(input: &MotionInput, scalars: &[Scalar]) -> Result<Vec<Vec<E
             let exact = truth.at(&(from_i64(n) / from_f64(rate)));
             for (table, octaves) in evaluators.iter().zip(&mut errors) {
                 let sample = table.at_tick(n);
-                let (orientation, rounded) = (sample.pose.orientation, exact.to_f64());
+                let (orientation, rounded) = (sample.orientation, exact.to_f64());
                 // in fixed point the tip of a sample is rounded to f32
                 let tip = (orientation.tip_over_s() - rounded.tip_over_s()).modulus();
                 let orientation = exact.error_of(&orientation);

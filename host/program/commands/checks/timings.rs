@@ -8,7 +8,7 @@ use serde_json::json;
 use std::hint::black_box;
 use std::time::Instant;
 use toytop::scalar::Real;
-use toytop::{Motion, Orientation, Stepper, Table, TableF32, TableF64, TableScalar, Tick};
+use toytop::{Motion, Stepper, Table, TableF32, TableF64, TableScalar, Tick};
 use toytop_host::Failure;
 use toytop_host::input::builtin;
 use toytop_host::motion::full_solver::{FullSolver, initial_state};
@@ -133,12 +133,7 @@ fn rows() -> Vec<TimedTask> {
 }
 
 /// Rows of a table.
-fn time_table<R: TableScalar>(scalar: &str, table: &Table<R>) -> [TimedTask; 3] {
-    let mut out = vec![Orientation::<R>::IDENTITY; STATES as usize];
-    let batch = time(format!("table {scalar}: in a batch"), STATES, || {
-        table.fill_orientations(black_box(FIRST_TICK), &mut out);
-        black_box(&mut out);
-    });
+fn time_table<R: TableScalar>(scalar: &str, table: &Table<R>) -> [TimedTask; 2] {
     let next = time(format!("table {scalar}: the next tick"), STATES, || {
         let mut cursor = table.cursor(black_box(FIRST_TICK));
         (0..STATES).for_each(|_| {
@@ -150,7 +145,7 @@ fn time_table<R: TableScalar>(scalar: &str, table: &Table<R>) -> [TimedTask; 3] 
             black_box(table.at_tick(black_box(FIRST_TICK + n)).orientation());
         });
     });
-    [batch, next, any]
+    [next, any]
 }
 
 /// Row of a stepper.

@@ -115,8 +115,8 @@ fn computed_rows(problem: &Problem, times: &Values) -> Result<Vec<Value>, Failur
     times.require_within(evaluator.furthest_time(), "")?;
     let computed = |t: &f64| {
         let sample = evaluator.at(*t);
-        let orientation = sample.pose.orientation.compose(&about.body_axes());
-        let position = sample.pose.orientation.axis().map(|x| about.length * x);
+        let orientation = sample.orientation.compose(&about.body_axes());
+        let position = sample.orientation.axis().map(|x| about.length * x);
         let omega_body = orientation.inverse().adjoint(sample.rates.omega);
         row(once(*t).chain(position).chain(orientation.quaternion()).chain(omega_body))
     };

@@ -137,21 +137,21 @@ struct EventRow<'a> {
 
 impl<'a> EventRow<'a> {
     fn new(argument: &'a KindArgument, event: &MotionEvent) -> Self {
-        let MotionSample { t, pose, tip_angle, .. } = event.sample;
+        let MotionSample { t, orientation, u, tip, tip_angle, .. } = event.sample;
         let sense = match (argument.kind, event.upward) {
             (EventKind::Turning, true) => "upper",
             (EventKind::Turning, false) => "lower",
             (_, true) => "up",
             (_, false) => "down",
         };
-        let tilt = 2.0 * pose.orientation.beta.modulus().atan2(pose.orientation.alpha.modulus());
+        let tilt = 2.0 * orientation.beta.modulus().atan2(orientation.alpha.modulus());
         Self {
             t,
             kind: &argument.text,
             sense,
-            u: pose.u,
+            u,
             tilt_deg: tilt.to_degrees(),
-            tip: [pose.tip.re, pose.tip.im],
+            tip: [tip.re, tip.im],
             phi_deg: tip_angle.map(f64::to_degrees),
             time_error: event.time_error,
         }

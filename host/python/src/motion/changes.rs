@@ -75,7 +75,7 @@ impl MotionCore {
             Launch::State { orientation, omega } if t == 0.0 => (orientation, omega),
             _ => {
                 let now = self.table_for(Scalar::F64, &[t])?.at(t);
-                (now.pose.orientation, now.rates.omega)
+                (now.orientation, now.rates.omega)
             }
         };
         State::new(orientation, omega).map_err(failed)

@@ -3,7 +3,7 @@
 use super::evaluate::Evaluate;
 use super::events::{Condition, EventQuery, MotionEvent};
 use crate::Failure;
-use crate::motion::column::SampleColumn::{self, ErrorBound, Omega, OmegaBody, T, TipAngle, Udot};
+use crate::motion::column::SampleColumn::{self, ErrorBound, Omega, OmegaBody, T, Tip, TipAngle, Udot};
 use crate::motion::sample::{MotionSample, unwrapped};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
@@ -92,11 +92,13 @@ impl<R: TableScalar> BoxedTable<R> {
             let [rate, _] = table.clock().ticks_per_time;
             sample.error_bound = Some(table.error_bound().after(t * rate));
         }
-        // all other columns are functions of the pose
-        if !matches!(column, Some(T | Udot | Omega | OmegaBody | TipAngle | ErrorBound)) {
-            let Pose { orientation, u, tip } = now.pose();
-            sample.pose =
-                Pose { orientation: orientation.map(R::into), u: u.into(), tip: tip.map(Float::to_f64) };
+        if needs(Tip) {
+            sample.tip = now.tip().map(Float::to_f64);
+        }
+        // all other columns are functions of the orientation and u
+        if !matches!(column, Some(T | Udot | Omega | OmegaBody | Tip | TipAngle | ErrorBound)) {
+            let Pose { orientation, u, .. } = now.pose();
+            (sample.orientation, sample.u) = (orientation.map(R::into), u.into());
         }
         if needs(Omega) {
             sample.rates.omega = now.omega().map(Float::to_f64);

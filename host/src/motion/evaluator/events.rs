@@ -89,7 +89,7 @@ fn time_error(condition: Condition, sample: &MotionSample) -> Option<f64> {
         Condition::Crossing(_) => Some(bound / sample.rates.udot.abs()),
         Condition::TipAngle(_) => {
             let AttitudeState { orientation: Orientation { alpha, beta }, rate } =
-                AttitudeState::from_body(sample.pose.orientation, sample.rates.omega_body);
+                AttitudeState::from_body(sample.orientation, sample.rates.omega_body);
             let product = alpha * beta;
             let change = rate.alpha * beta + alpha * rate.beta;
             let turning = (product.re * change.im - product.im * change.re) / product.norm_squared();

@@ -26,7 +26,7 @@ mod cayley_klein;
 use super::series::{MAX_TERMS, PowerSeries, integrated};
 use crate::integer::power_of_two;
 use crate::phase::Phase;
-use crate::scalar::{Ring, Scalar};
+use crate::scalar::{Float, Ring};
 
 /// Largest rounding error of a coefficient, in units of its series.
 const NOISE: i64 = 4;
@@ -158,7 +158,7 @@ impl Expansion {
         let size = |rate: &RateSeries| rate.at_origin.abs() + 0.25 * rate.magnitude_of_variation();
         let [alpha, beta] = self.residual.each_ref().map(size);
         let chi = f64::from(self.chi_error_factor) * size(&self.chi);
-        ROUNDINGS * f64::ROUNDING * 0.25 * chi.larger_or_nan(alpha.larger_or_nan(beta))
+        ROUNDINGS * f64::OPERATION_ERROR * 0.25 * chi.larger_or_nan(alpha.larger_or_nan(beta))
     }
 
     /// Upper bound on the rates of the residual phases by x in [-1, 1].

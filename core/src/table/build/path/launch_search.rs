@@ -3,7 +3,7 @@
 use super::expansion::{Expansion, PathPhases};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::Scalar;
+use crate::scalar::Float;
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::data::Phases;
 
@@ -58,7 +58,7 @@ impl LaunchSearch {
 /// Coordinate x of χ on a span, by Newton's method.
 fn coordinate_of(expansion: &Expansion, chi: Phase) -> f64 {
     const STEPS: usize = 8;
-    const LAST_STEP: f64 = 4.0 * f64::ROUNDING;
+    const LAST_STEP: f64 = 4.0 * f64::OPERATION_ERROR;
     let mut x = 0.0_f64;
     for _ in 0..STEPS {
         let (phases, chi_rate) = expansion.at(x);

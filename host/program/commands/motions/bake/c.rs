@@ -138,7 +138,8 @@ fn decimal(x: f64) -> String {
 
 /// Code that evaluates a table of this scalar: the clock, and the functions in integers or in double precision. Each part is compiled once.
 fn code(scalar: Scalar) -> String {
-    let clock = concat!(include_str!("c/clock.h"), "\n", include_str!("c/scalar.h"));
+    let clock =
+        concat!(include_str!("c/clock.h"), "\n", include_str!("c/scalar.h"), "\n", include_str!("c/rates.h"));
     let evaluator = match scalar {
         Scalar::F64 => ("F64", series() + include_str!("c/f64.h")),
         _ => ("INTEGER", points() + include_str!("c/integer.h") + include_str!("c/q15.h")),

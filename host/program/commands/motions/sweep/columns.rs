@@ -119,7 +119,7 @@ impl RowMotion {
 
     fn error_f32(&self) -> Option<f64> {
         let (single, double) = (self.f32_table()?, self.f64_evaluator()?);
-        let error = |&t: &f64| single.pose(t).orientation.distance(&double.pose(t).orientation);
+        let error = |&t: &f64| single.orientation(t).distance(&double.orientation(t));
         Some(self.times.iter().map(error).fold(0.0, greater_or_infinite))
     }
 }

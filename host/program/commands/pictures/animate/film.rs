@@ -34,7 +34,7 @@ pub struct Film<'a> {
 impl Film<'_> {
     /// Lower and upper end of the axis.
     fn ends_of_axis(&self, t: f64) -> [[f64; 3]; 2] {
-        let [x, y, z] = self.span.at(t).pose.orientation.axis();
+        let [x, y, z] = self.span.at(t).orientation.axis();
         let tip = match self.scenario.motion.top().support() {
             // the centre of mass stays above one point of the plane
             Support::Sliding => [-x, -y, 0.0],
@@ -47,7 +47,7 @@ impl Film<'_> {
     fn scene(&self, frame: u64) -> Scene {
         let share = frame as f64 / (self.frames.max(2) - 1) as f64;
         let t = self.span.times(self.frames).nth(frame as usize).unwrap_or_default();
-        let orientation = self.span.at(t).pose.orientation;
+        let orientation = self.span.at(t).orientation;
         let [tip, end] = self.ends_of_axis(t);
         let mut scene = Scene::new(SIDE, SIDE);
         let camera = Camera::new(-1.05, 0.38, [0.5 * SIDE, 0.72 * SIDE], 0.27 * SIDE);

@@ -26,7 +26,7 @@ fn time_label(scenario: &Scenario, from: f64) -> String {
 pub fn tilt(scenario: &Scenario, span: &MotionSpan) -> Scene {
     let [from, until] = span.ends;
     let degrees = |t: f64| {
-        let orientation = span.at(t).pose.orientation;
+        let orientation = span.at(t).orientation;
         [t - from, tilt_azimuth_roll(&orientation)[0].to_degrees()]
     };
     let mut curves = vec![Curve::line("tilt", span.times_of_curve().map(degrees).collect())];

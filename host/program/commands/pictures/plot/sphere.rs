@@ -43,7 +43,7 @@ pub fn draw(scenario: &Scenario, span: &MotionSpan) -> Scene {
         line(picture, ends.into(), "#cfcfcf", 1.0);
         text(picture, &limit.to_string(), [LABELS, label], 12, TextAnchor::Start, "#333333");
     }
-    let points: Vec<_> = span.times_of_curve().map(|t| span.at(t).pose.orientation.axis()).collect();
+    let points: Vec<_> = span.times_of_curve().map(|t| span.at(t).orientation.axis()).collect();
     camera.line_on_sphere(picture, &points, [CURVE_COLOR, "#b4c6dd"], 1.8);
     disc(picture, camera.project(points[0]), 4.5, ACCENT_COLOR, None);
     let [from, until] = span.ends_as_text();

@@ -147,11 +147,11 @@ trait Printed: TableScalar + Into<f64> + Debug {
     const NAME: &'static str;
 
     fn u(sample: &Sample<'_, Self>) -> Self {
-        sample.orientation().u()
+        sample.u()
     }
 
     fn tip(sample: &Sample<'_, Self>) -> Complex<Self> {
-        sample.orientation().tip_over_s()
+        sample.pose().tip_over_s
     }
 }
 

@@ -109,7 +109,7 @@ mod tests {
     use crate::constants::{BranchPoints, Sign, Signs};
     use crate::motion::phase_equations::PhaseEquations;
     use crate::phase::Phase;
-    use crate::scalar::{Extended, Float, Scalar};
+    use crate::scalar::{Extended, Float, Real};
     use crate::table::evaluation::TABLE_UNIT;
 
     fn equations(spread: f64, [e1, e2, e3]: [f64; 3]) -> PhaseEquations<Extended> {

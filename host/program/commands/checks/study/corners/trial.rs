@@ -81,7 +81,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
                 let (bound, rate_bound) = (table.error_bound, table.rate_error_bound);
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
                 let sample = table.at_tick(tick);
-                let error = orientation.error_of(&sample.pose.orientation);
+                let error = orientation.error_of(&sample.orientation);
                 let rate_error = rate_error(&sample.rates, &rates);
                 errors.ticks += 1;
                 errors.distant_ticks += usize::from(within > 2.0 * bound.constant);
@@ -108,8 +108,8 @@ fn norm_over_bound(table: &MotionEvaluator, times: &[f64]) -> f64 {
     let turning = table.events(&query).unwrap_or_default();
     let turning = turning.into_iter().map(|event| (event.sample.t, if event.upward { e.e2 } else { e.e1 }));
     let turning = turning.filter(|_| motion.regime() == Regime::Nutating);
-    let norms = times.iter().map(|&t| (t, table.pose(t).orientation.norm_squared() - 1.0));
-    let heights = turning.map(|(t, u)| (t, table.pose(t).orientation.u() - u));
+    let norms = times.iter().map(|&t| (t, table.orientation(t).norm_squared() - 1.0));
+    let heights = turning.map(|(t, u)| (t, table.orientation(t).u() - u));
     let of_bound =
         |(t, error): (f64, f64)| ratio(error.abs(), table.error_bound.after(t * table.ticks_per_time));
     norms.chain(heights).map(of_bound).fold(0.0, greater_or_infinite)

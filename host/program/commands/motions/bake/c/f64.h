@@ -1,39 +1,17 @@
 TOYTOP_TYPES(f64, double, double, double)
 
-/* Barrier that rounds a number to its type, so that no compiler fuses a product with a sum, in any standard and with any flags. */
-static inline double toytop_rounded_f64(double x) {
-#if defined(__GNUC__) && defined(__SSE2__)
-    __asm__("" : "+x"(x));
-#elif defined(__GNUC__) && defined(__arm__) && defined(__ARM_FP) && (__ARM_FP & 8)
-    __asm__("" : "+w"(x));
-#elif defined(__GNUC__) && defined(__aarch64__)
-    __asm__("" : "+w"(x));
-#elif defined(__GNUC__) && defined(__riscv_flen) && __riscv_flen >= 64
-    __asm__("" : "+f"(x));
-#elif defined(__GNUC__) && (defined(__arm__) || (defined(__riscv) && !defined(__riscv_flen)))
-    /* this target has no fused operations */
-#else
-    volatile double kept = x;
-    x = kept;
-#endif
-    return x;
-}
+TOYTOP_RATES(double)
 
 static inline double toytop_series(const double *coefficients, int count, double y) {
     double sum = 0.0;
-    while (count-- > 0) sum = toytop_rounded_f64(sum * y) + coefficients[count];
+    while (count-- > 0) sum = toytop_rounded_double(sum * y) + coefficients[count];
     return sum;
-}
-
-/* Sum a b + c d, with a barrier after each product. */
-static inline double toytop_inner_f64(double a, double b, double c, double d) {
-    return toytop_rounded_f64(a * b) + toytop_rounded_f64(c * d);
 }
 
 /* Sine and cosine of a phase, from the nearest quarter turn by two series. */
 static inline void toytop_sincos_f64(uint64_t phase, double of[2]) {
     uint64_t quadrant = (phase + ((uint64_t)1 << 61)) >> 62, rest = phase - (quadrant << 62);
-    double low = toytop_rounded_f64((double)(uint32_t)rest * (1.0 / 4294967296.0));
+    double low = toytop_rounded_double((double)(uint32_t)rest * (1.0 / 4294967296.0));
     double x = ((double)(int32_t)(rest >> 32) + low) * (1.0 / 4294967296.0), y = x * x;
     double s = x * toytop_series(toytop_sine, 8, y), c = toytop_series(toytop_cosine, 9, y);
     of[0] = quadrant & 1 ? c : s;
@@ -52,8 +30,8 @@ static inline toytop_sums_f64 toytop_sums_at_f64(const toytop_f64 *table, uint64
     for (int i = 0; i < 4; i++) {
         double sum = c[terms - 1][i], slope = 0.0;
         for (uint32_t k = terms - 1; k-- > 0;) {
-            if (slopes) slope = toytop_rounded_f64(slope * x) + sum;
-            sum = toytop_rounded_f64(sum * x) + c[k][i];
+            if (slopes) slope = toytop_rounded_double(slope * x) + sum;
+            sum = toytop_rounded_double(sum * x) + c[k][i];
         }
         sums.value[i] = sum;
         sums.slope[i] = slope;
@@ -63,8 +41,8 @@ static inline toytop_sums_f64 toytop_sums_at_f64(const toytop_f64 *table, uint64
 
 /* Product (re + i im) e^{i phase}, with sine and cosine of the phase. */
 static inline void toytop_turn_f64(double re, double im, const double by[2], double turned[2]) {
-    turned[0] = toytop_inner_f64(re, by[1], -im, by[0]);
-    turned[1] = toytop_inner_f64(re, by[0], im, by[1]);
+    turned[0] = toytop_inner_double(re, by[1], -im, by[0]);
+    turned[1] = toytop_inner_double(re, by[0], im, by[1]);
 }
 
 /* Parameters alpha and beta, and sine and cosine of A and of B. */
@@ -83,53 +61,21 @@ static inline toytop_sample_f64 toytop_sample_of_f64(const toytop_f64 *table, co
     toytop_sums_f64 sums = toytop_sums_at_f64(table, at->phase[0].leading, 0);
     toytop_alpha_beta_f64(&sums, at, four, of);
     for (int i = 0; i < 2; i++) m.alpha[i] = four[i], m.beta[i] = four[i + 2];
-    m.u = toytop_inner_f64(m.alpha[0] + m.beta[0], m.alpha[0] - m.beta[0], m.alpha[1] + m.beta[1], m.alpha[1] - m.beta[1]);
-    m.c[0] = toytop_inner_f64(m.alpha[0], m.beta[0], -m.alpha[1], m.beta[1]) * table->scales[0];
-    m.c[1] = toytop_inner_f64(m.alpha[0], m.beta[1], m.alpha[1], m.beta[0]) * table->scales[0];
+    m.u = toytop_inner_double(m.alpha[0] + m.beta[0], m.alpha[0] - m.beta[0], m.alpha[1] + m.beta[1], m.alpha[1] - m.beta[1]);
+    m.c[0] = toytop_inner_double(m.alpha[0], m.beta[0], -m.alpha[1], m.beta[1]) * table->scales[0];
+    m.c[1] = toytop_inner_double(m.alpha[0], m.beta[1], m.alpha[1], m.beta[0]) * table->scales[0];
     return m;
-}
-
-/* Fixed coordinates of a vector in body coordinates. */
-static inline void toytop_adjoint_f64(const double alpha[2], const double beta[2], const double v[3], double fixed[3]) {
-    double p[2], q[2];
-    p[0] = toytop_inner_f64(alpha[0], v[0], -alpha[1], v[1]) - toytop_rounded_f64(beta[0] * v[2]);
-    p[1] = toytop_inner_f64(alpha[0], v[1], alpha[1], v[0]) - toytop_rounded_f64(beta[1] * v[2]);
-    q[0] = toytop_rounded_f64(alpha[0] * v[2]) + toytop_inner_f64(beta[0], v[0], beta[1], v[1]);
-    q[1] = toytop_rounded_f64(alpha[1] * v[2]) + toytop_inner_f64(beta[0], -v[1], beta[1], v[0]);
-    fixed[0] = toytop_inner_f64(alpha[0], p[0], -alpha[1], p[1]) - toytop_inner_f64(beta[0], q[0], -beta[1], q[1]);
-    fixed[1] = toytop_inner_f64(alpha[0], p[1], alpha[1], p[0]) - toytop_inner_f64(beta[0], q[1], beta[1], q[0]);
-    fixed[2] = toytop_inner_f64(alpha[0], q[0], alpha[1], q[1]) + toytop_inner_f64(beta[0], p[0], beta[1], p[1]);
 }
 
 /* Parameters alpha and beta, and the angular velocity in the body frame. */
 static inline void toytop_rates_at_f64(const toytop_f64 *table, const toytop_cursor *at, double four[4], double omega[3]) {
     toytop_sums_f64 sums = toytop_sums_at_f64(table, at->phase[0].leading, 1);
-    const double *a = sums.value, *b = sums.value + 2, *da = sums.slope, *db = sums.slope + 2;
-    double of[2][2], turn[2], n[2], scale = table->scales[1] * (double)(UINT32_C(1) << (sums.depth - 3)), mean = table->scales[2];
+    double of[2][2], turn[2];
     toytop_alpha_beta_f64(&sums, at, four, of);
-    turn[0] = toytop_inner_f64(of[0][1], of[1][1], of[0][0], of[1][0]);
-    turn[1] = toytop_inner_f64(of[0][1], of[1][0], -of[0][0], of[1][1]);
-    n[0] = toytop_inner_f64(a[0], db[0], a[1], db[1]) - toytop_inner_f64(b[0], da[0], b[1], da[1]);
-    n[1] = toytop_inner_f64(a[0], db[1], -a[1], db[0]) - toytop_inner_f64(b[0], -da[1], b[1], da[0]);
-    n[0] = toytop_rounded_f64(n[0] * scale) - toytop_rounded_f64(toytop_inner_f64(a[0], b[1], -a[1], b[0]) * mean);
-    n[1] = toytop_rounded_f64(n[1] * scale) + toytop_rounded_f64(toytop_inner_f64(a[0], b[0], a[1], b[1]) * mean);
-    if (at->phase[0].leading >> 63) n[0] = -n[0];
-    omega[0] = toytop_inner_f64(n[0], turn[1], n[1], turn[0]) * 2.0;
-    omega[1] = -toytop_inner_f64(n[0], turn[0], -n[1], turn[1]) * 2.0;
-    omega[2] = table->scales[3];
+    turn[0] = toytop_inner_double(of[0][1], of[1][1], of[0][0], of[1][0]);
+    turn[1] = toytop_inner_double(of[0][1], of[1][0], -of[0][0], of[1][1]);
+    toytop_body_rates_double(sums.value, sums.slope, sums.depth, (int)(at->phase[0].leading >> 63), turn, table->scales, omega);
 }
 
-/* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */
-TOYTOP_API void toytop_omega_body_f64(const toytop_f64 *table, const toytop_cursor *at, double omega[3]) {
-    double four[4];
-    toytop_rates_at_f64(table, at, four, omega);
-}
-
-/* Angular velocity at the tick of a cursor in the fixed frame, rad per unit of time. */
-TOYTOP_API void toytop_omega_f64(const toytop_f64 *table, const toytop_cursor *at, double omega[3]) {
-    double four[4], body[3];
-    toytop_rates_at_f64(table, at, four, body);
-    toytop_adjoint_f64(four, four + 2, body, omega);
-}
-
+TOYTOP_OMEGA(f64, double)
 TOYTOP_FUNCTIONS(f64, 64, double)

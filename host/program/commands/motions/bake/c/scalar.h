@@ -37,3 +37,17 @@
         sum = toytop_crc(sum, table->coefficients, 4 * rows, sizeof table->coefficients[0][0]); \
         return ~sum == table->clock.crc32; \
     }
+
+/* Angular velocity in the scalar S, from its toytop_rates_at. */
+#define TOYTOP_OMEGA(S, F) \
+    /* Angular velocity at the tick of a cursor in the body frame, rad per unit of time. */ \
+    TOYTOP_API void toytop_omega_body_##S(const toytop_##S *table, const toytop_cursor *at, F omega[3]) { \
+        F four[4]; \
+        toytop_rates_at_##S(table, at, four, omega); \
+    } \
+    /* Angular velocity at the tick of a cursor in the fixed frame, rad per unit of time. */ \
+    TOYTOP_API void toytop_omega_##S(const toytop_##S *table, const toytop_cursor *at, F omega[3]) { \
+        F four[4], body[3]; \
+        toytop_rates_at_##S(table, at, four, body); \
+        toytop_adjoint_##F(four, body, omega); \
+    }
