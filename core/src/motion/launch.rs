@@ -4,7 +4,7 @@ use crate::body::{ParameterError, State, Top, check, check_range};
 use crate::complex::Complex;
 use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint, Regime, Signs};
 use crate::motion::ellipses::Ellipses;
-use crate::motion::half_phase::{half_phase_at, half_phase_of_angle, has_constant_tilt};
+use crate::motion::half_phase::{half_phase_at, has_constant_tilt};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::motion::{LaunchRounding, Motion, steady_tilt};
 use crate::phase::Phase;
@@ -17,7 +17,7 @@ use crate::su2::{AttitudeState, OrientationRate};
 pub struct InitialAngles {
     /// Nutation angle θ(0) = 2χ(0): 0 at u = e₁, π at u = e₂, with u rising in between.
     ///
-    /// The `f64` nearest to a multiple of π counts as that multiple. With e₂ = e₃ = 1, θ = π is the upright top, u = 1.
+    /// A rounded multiple of π counts as that multiple. With e₂ = e₃ = 1, θ = π is the upright top, u = 1.
     pub theta: f64,
     /// Argument of α(0); where α(0) = 0, the argument of α'(0).
     pub arg_alpha: f64,
@@ -128,7 +128,7 @@ impl Motion {
             "e3",
             "such that (n - rotor_momentum)/axial_inertia is at most 1e24 rad/s, and n = rotor_momentum for a rod",
         )?;
-        let chi = half_phase_of_angle(theta);
+        let chi = half_phase_of_theta(theta);
         let (_, remainder) = chi.split_half_turns();
         let regime = Regime::new(&e, signs, remainder == Phase::QUARTER);
         let half_phase = (!has_constant_tilt(&e, regime)).then_some(chi);
@@ -137,7 +137,6 @@ impl Motion {
             None => [Phase::ZERO; 2],
             Some(chi) => ellipses.arguments(Complex::cis(chi)),
         };
-        let phase = |angle: f64| Extended::from(angle).radians_to_turns().to_phase();
         Ok(Self {
             top: *top,
             signs,
@@ -147,11 +146,25 @@ impl Motion {
             ellipses,
             regime,
             half_phase,
-            slow_phases: [phase(arg_alpha) - alpha, phase(arg_beta) - beta],
+            slow_phases: [phase_of_angle(arg_alpha) - alpha, phase_of_angle(arg_beta) - beta],
             rounding: LaunchRounding::default(),
             torque_free_rate: Extended::ZERO,
         })
     }
+}
+
+/// Phase of an angle in rad, without a rounding of `f64`.
+fn phase_of_angle(angle: f64) -> Phase {
+    Extended::from(angle).radians_to_turns().to_phase()
+}
+
+/// Half phase χ = θ/2; a quarter turn, or a multiple of one, if the rounding of θ explains the difference.
+fn half_phase_of_theta(theta: f64) -> Phase {
+    const ROUNDING: f64 = 0.5 * f64::EPSILON;
+    let chi = phase_of_angle(0.5 * theta);
+    let (_, difference) = chi.quadrant();
+    let is_rounding = difference.to_turns().abs() <= ROUNDING * chi.to_turns().abs();
+    if is_rounding { chi - difference } else { chi }
 }
 
 /// Ellipses of α and β.

@@ -128,8 +128,7 @@ fn the_integrals_of_degenerate_motions_are_accepted() {
     }
 }
 
-/// A θ that is the `f64` nearest to a multiple of π counts as that multiple: u' at a turning point is 0 and not
-/// 1e-16.
+/// A rounded multiple of π counts as that multiple: u' at a turning point is 0 and not 1e-16.
 #[test]
 fn rounded_multiples_of_pi_are_turning_points() {
     for k in -4..5 {
