@@ -4,10 +4,9 @@
 
 mod reduced_point;
 
-mod integrals;
-
-use crate::body::{ParameterError, check_range};
-use crate::scalar::{Extended, Float, numeric_struct};
+use crate::body::{ParameterError, Top, check_range};
+use crate::constants::{FirstIntegrals, Signs};
+use crate::scalar::{Extended, Float, Ring, numeric_struct};
 
 numeric_struct! {
     /// Branch points and their differences; none has a unit.
@@ -37,6 +36,13 @@ numeric_struct! {
 /// Largest e₃. Beyond it the torque has less effect than the rounding of a state.
 const MAX_E3: f64 = 1e14;
 
+impl BranchPoints {
+    /// First integrals of branch points and signs (equation (3.6)). Without torque they are not determined, and l = n = 0.
+    pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
+        self.map(Extended::from).unrounded_integrals(top, signs).map(Float::to_f64)
+    }
+}
+
 impl BranchPoints<Extended> {
     /// Branch points from three numbers, with exact differences.
     pub(crate) fn from_roots([e1, e2, e3]: [f64; 3]) -> Result<Self, ParameterError> {
@@ -54,6 +60,21 @@ impl BranchPoints<Extended> {
             e3_minus_e2: e3 - e2,
             e3_minus_one: e3 - one,
         })
+    }
+
+    /// First integrals in extended precision.
+    pub(crate) fn unrounded_integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
+        let Top { a, c, p, g, .. } = *top;
+        let scale = (a * p * g).doubled();
+        let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();
+        let minus = (scale * self.one_minus_e1() * self.one_minus_e2 * self.e3_minus_one).sqrt();
+        let l_plus_n = signs.l_plus_n.times(plus);
+        let l_minus_n = signs.l_minus_n.times(minus);
+        let n = (l_plus_n - l_minus_n).halved();
+        let spin = top.spin(n);
+        // h = p g (e₁ + e₂ + e₃) + (C ⟨ω, r⟩² - n²/A)/2
+        let h = p * g * (self.e1 + self.e2 + self.e3) + (c * spin.squared() - n.squared() / a).halved();
+        FirstIntegrals { l: (l_plus_n + l_minus_n).halved(), n, h, spin, l_plus_n, l_minus_n }
     }
 }
 

@@ -1,11 +1,11 @@
 //! Constants of a motion before they are rounded, for the crates beside this one.
 
-use crate::body::Top;
-use crate::constants::{BranchPoints, FirstIntegrals};
+use crate::body::{ParameterError, Top};
+use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint};
 use crate::motion::Motion;
 use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
-use crate::scalar::Extended;
+use crate::scalar::{Extended, Float, Ring};
 
 /// Constants of a motion in extended precision.
 pub struct Unrounded<'a> {
@@ -63,4 +63,21 @@ pub fn period_and_rotations(motion: &Motion) -> Option<(Extended, [Phase; 2])> {
     let period = motion.period::<Extended>(&motion.equations(), &mut || {})?;
     let rotations = period.rotations(motion.half_tau).map(|angle| angle.radians_to_turns().to_phase());
     Some((period.time, rotations))
+}
+
+/// Branch points of the motion with first integrals l, n and h through a point of the reduced curve, given by u, u' and the kinetic energy
+/// of the axis in units of p g, or of 1 without torque.
+///
+/// # Errors
+/// `omega`: e₃ above 1e14.
+pub fn branch_points_through(
+    top: &Top,
+    [l, n, h]: [Extended; 3],
+    [u, udot, axis_energy]: [Extended; 3],
+) -> Result<BranchPoints, ParameterError> {
+    let integrals = FirstIntegrals { l, n, h, spin: top.spin(n), l_plus_n: l + n, l_minus_n: l - n };
+    let [one_minus_u, one_plus_u] = [Extended::ONE - u, Extended::ONE + u];
+    let point = ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy };
+    let e = BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {})?;
+    Ok(e.map(Float::to_f64))
 }
