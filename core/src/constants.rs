@@ -14,5 +14,6 @@ mod regime;
 pub use branch_points::BranchPoints;
 pub use first_integrals::FirstIntegrals;
 pub(crate) use first_integrals::ReducedPoint;
+pub(crate) use regime::is_steady;
 pub use regime::{Regime, TipClass};
 pub use signs::{Sign, Signs};

@@ -21,7 +21,7 @@ pub(crate) use launch_rounding::LaunchRounding;
 
 use crate::body::{Support, Top};
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass};
+use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, is_steady};
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
@@ -165,7 +165,7 @@ impl Motion {
 
     /// Whether u is constant to the last bit.
     pub(crate) fn is_steady(&self) -> bool {
-        self.half_phase.is_none()
+        is_steady(&self.e, self.regime)
     }
 
     /// Phase equations of the motion.

@@ -1,4 +1,8 @@
 //! Kind of a motion and of its tip curve (paper, section 4.2).
+//!
+//! A state of a regular precession that is rounded to `f64` nutates, mostly by less than 2^-49 rad. Its regime is that of the precession
+//! (`nutates_visibly`), but its motion is computed with the nutation (`is_steady`): without it the error would be up to 7e-13 rad for
+//! A/(ps) = 1e-5.
 
 use crate::constants::{BranchPoints, Signs};
 use crate::scalar::{Extended, Float, Ring};
@@ -10,10 +14,10 @@ use crate::scalar::{Extended, Float, Ring};
 pub enum Regime {
     /// e₁ < e₂ < e₃: u oscillates between e₁ and e₂.
     Nutating,
-    /// -1 < e₁ = e₂ < 1 and |l| < |n|: a regular precession; a fast top has two, and this is the slower one. A nutation below
-    /// 2^-49 rad, the rounding of a state, counts as none.
+    /// -1 < e₁ = e₂ < 1 and |l| < |n|: the slower of a fast top's two regular precessions. A nutation below 2^-49 rad, the rounding
+    /// of a state, counts as none.
     SlowPrecession,
-    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: a regular precession; a fast top has two, and this is the faster one.
+    /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster of a fast top's two regular precessions.
     FastPrecession,
     /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
     SleepingStable,
@@ -29,7 +33,7 @@ impl Regime {
     /// Regime of branch points; `upright` tells whether a motion with e₂ = e₃ = 1 has u = 1.
     pub(crate) fn new(e: &BranchPoints<Extended>, signs: Signs, upright: bool) -> Self {
         let zero = Extended::ZERO;
-        if !tilt_changes(e) {
+        if !nutates_visibly(e) {
             if e.one_minus_e2 == zero {
                 Self::SleepingStable
             } else if e.one_plus_e1 == zero {
@@ -57,9 +61,14 @@ impl Regime {
     }
 }
 
-/// Whether the tilt changes by more than roundings, or passes through the vertical.
-fn tilt_changes(e: &BranchPoints<Extended>) -> bool {
-    /// Least change of the tilt that counts, rad: 2^-49, some roundings of a state.
+/// Whether u is constant to the last bit. Such a motion has no half phase.
+pub(crate) fn is_steady(e: &BranchPoints<Extended>, regime: Regime) -> bool {
+    e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable
+}
+
+/// Whether the nutation is larger than the rounding of a state, or passes through the vertical.
+fn nutates_visibly(e: &BranchPoints<Extended>) -> bool {
+    /// Least visible change of the tilt, rad: 2^-49.
     const MIN_SWING: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;
     let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;

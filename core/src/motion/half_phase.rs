@@ -1,14 +1,9 @@
 //! Half phase χ at t = 0.
 
 use crate::body::Top;
-use crate::constants::{BranchPoints, ReducedPoint, Regime};
+use crate::constants::{BranchPoints, ReducedPoint, Regime, is_steady};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
-
-/// Whether u is constant to the last bit, as in a steady motion. A regular precession may nutate by 2^-49 rad.
-pub(super) fn has_constant_tilt(e: &BranchPoints<Extended>, regime: Regime) -> bool {
-    e.e2_minus_e1 == Extended::ZERO || regime == Regime::SleepingUnstable
-}
 
 /// Half phase at a point of the reduced curve; `None` for a steady motion.
 ///
@@ -22,7 +17,7 @@ pub(super) fn half_phase_at(
     torque_free_rate: Extended,
     point: &ReducedPoint,
 ) -> Option<Phase> {
-    if has_constant_tilt(e, regime) {
+    if is_steady(e, regime) {
         return None;
     }
     let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;

@@ -2,9 +2,9 @@
 
 use crate::body::{ParameterError, State, Top, check, check_range};
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint, Regime, Signs};
+use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint, Regime, Signs, is_steady};
 use crate::motion::ellipses::Ellipses;
-use crate::motion::half_phase::{half_phase_at, has_constant_tilt};
+use crate::motion::half_phase::half_phase_at;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::motion::{LaunchRounding, Motion, steady_tilt};
 use crate::phase::Phase;
@@ -131,7 +131,7 @@ impl Motion {
         let chi = half_phase_of_theta(theta);
         let (_, remainder) = chi.split_half_turns();
         let regime = Regime::new(&e, signs, remainder == Phase::QUARTER);
-        let half_phase = (!has_constant_tilt(&e, regime)).then_some(chi);
+        let half_phase = (!is_steady(&e, regime)).then_some(chi);
         let ellipses = ellipses_of(&e, signs, half_phase, regime);
         let [alpha, beta] = match half_phase {
             None => [Phase::ZERO; 2],
