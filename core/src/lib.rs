@@ -47,7 +47,6 @@ pub mod table_format {}
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{check, check_finite, check_item};
-    pub use crate::motion::ellipses::{Ellipse, Ellipses};
     pub use crate::motion::unrounded::*;
     pub use crate::scalar::sine::{
         COSINE, CUBIC, LINEAR, SINE, SINES, SMALL_SINE, VERSINE, rotate_quarter_turns,

@@ -1,7 +1,7 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period.
 
-use crate::elliptic::elementary::{ValueAndSlope, angle, rounded, sine_cosine_of_phase};
-use toytop::internal::{Ellipse, Ellipses, Unrounded, phase_equations};
+use crate::elliptic::elementary::{ValueAndSlope, angle, rounded, widened};
+use toytop::internal::Unrounded;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -20,22 +20,22 @@ pub(super) struct ArgumentOffsets {
 impl ArgumentOffsets {
     /// Arguments from α, β and their time derivatives in the closed form at t = 0, for C = A.
     ///
-    /// Value and derivative are averaged with weights, so that the argument is well defined also where a parameter is
-    /// 0 at t = 0.
-    pub(super) fn new(motion: &Motion, closed: [ValueAndSlope; 2]) -> Self {
-        let Unrounded { e, half_tau, half_phase, slow_phases, .. } = motion.into();
-        let (im, re) = sine_cosine_of_phase(half_phase.unwrap_or_default());
-        let rates = phase_equations(motion).rates(im, re);
-        let argument = |ellipse: Ellipse<Extended>, psi, ValueAndSlope { value, slope }| {
-            let z = ellipse.slow_phase(Complex::new(re, im), [rates.chi, psi], [value, slope]);
-            angle(z.im, z.re).radians_to_turns().to_phase()
+    /// The derivatives count too, so that the argument is well defined also where a parameter is 0 at t = 0.
+    pub(super) fn new(motion: &Motion, [alpha, beta]: [ValueAndSlope; 2]) -> Self {
+        let Unrounded { a, p, g, half_tau, .. } = motion.into();
+        let AttitudeState { orientation, rate } = motion.attitude_at_launch();
+        // squares of the greatest rates of the motion: of its rotation and of its nutation
+        let rotation = rate.alpha.norm_squared() + rate.beta.norm_squared();
+        let time_squared = Extended::ONE / (p * g / a + rotation.into());
+        let offset = |z: Complex<f64>, z_rate: Complex<f64>, tau: Extended, closed: ValueAndSlope| {
+            let [z, z_rate] = [z, z_rate].map(widened);
+            let slope = z_rate - z.times_i().scaled(tau);
+            let sum = z * closed.value.conj() + (slope * closed.slope.conj()).scaled(time_squared);
+            angle(sum.im, sum.re).radians_to_turns().to_phase()
         };
-        let ellipses = Ellipses::oscillating(e, motion.signs(), |x| x);
-        let [alpha, beta] = closed;
-        let [alpha_phase, beta_phase] = slow_phases;
         let angles = [
-            alpha_phase - argument(ellipses.alpha, rates.psi_alpha, alpha),
-            beta_phase - argument(ellipses.beta, rates.psi_beta, beta),
+            offset(orientation.alpha, rate.alpha, half_tau, alpha),
+            offset(orientation.beta, rate.beta, -half_tau, beta),
         ];
         Self { angles, half_tau }
     }

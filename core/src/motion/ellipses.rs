@@ -11,17 +11,17 @@ use crate::su2::{AttitudeState, Orientation, OrientationRate};
 ///
 /// In their methods `cis_chi` is e^{iχ}.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ellipses<R> {
+pub(crate) struct Ellipses<R> {
     /// Ellipse of α.
-    pub alpha: Ellipse<R>,
+    pub(crate) alpha: Ellipse<R>,
     /// Ellipse of β.
-    pub beta: Ellipse<R>,
+    pub(crate) beta: Ellipse<R>,
 }
 
 numeric_struct! {
     /// Ellipse x cos χ + i y sin χ in the complex plane: a Cayley-Klein parameter divided by e^{iλ}.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct Ellipse<R> {
+    pub(crate) struct Ellipse<R> {
         x,
         y,
     }
@@ -29,7 +29,7 @@ numeric_struct! {
 
 impl<R: Ring> Ellipses<R> {
     /// Ellipses of a motion whose u is not constant.
-    pub fn oscillating(e: &BranchPoints<Extended>, signs: Signs, convert: fn(Extended) -> R) -> Self {
+    pub(crate) fn oscillating(e: &BranchPoints<Extended>, signs: Signs, convert: fn(Extended) -> R) -> Self {
         let root = |x: Extended| convert(x.halved().sqrt());
         let a2 = root(e.one_plus_e2());
         let b2 = root(e.one_minus_e2);
@@ -112,7 +112,7 @@ impl<R: Ring> Ellipse<R> {
 
 impl<F: Float> Ellipse<F> {
     /// Number r e^{iλ} with r > 0, whose λ fits a parameter z and its rate best in the sense of least squares. The rates of χ and λ are given.
-    pub fn slow_phase(
+    pub(crate) fn slow_phase(
         &self,
         cis_chi: Complex<F>,
         rates @ [chi, lambda]: [F; 2],

@@ -18,20 +18,20 @@ use crate::scalar::{Extended, Float, Ring, numeric_struct};
 numeric_struct! {
     /// Rates of the three phases, rad/s.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct PhaseRates<F> {
+    pub(crate) struct PhaseRates<F> {
         /// Rate χ'.
-        pub chi,
+        pub(crate) chi,
         /// Rate ψ_α'.
-        pub psi_alpha,
+        pub(crate) psi_alpha,
         /// Rate ψ_β'.
-        pub psi_beta,
+        pub(crate) psi_beta,
     }
 }
 
 numeric_struct! {
     /// Constants of the equations of one motion. The unit of length is a power of two near A/p.
     #[derive(Clone, Copy, Debug, PartialEq)]
-    pub struct PhaseEquations<F> {
+    pub(crate) struct PhaseEquations<F> {
         pub(crate) one_plus_e1,
         pub(crate) one_minus_e2,
         pub(crate) e2_minus_e1,
@@ -153,7 +153,7 @@ impl<F: Float> PhaseEquations<F> {
     }
 
     /// Rates of χ, ψ_α and ψ_β at given sin χ and cos χ.
-    pub fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
+    pub(crate) fn rates(&self, sine: F, cosine: F) -> PhaseRates<F> {
         let TiltDistances { one_plus_u, one_minus_u, e3_minus_u, inverse_d } =
             self.tilt_distances(sine, cosine);
         let chi_rate = (self.half_g * e3_minus_u * inverse_d).sqrt();

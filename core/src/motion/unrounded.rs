@@ -3,7 +3,6 @@
 use crate::body::{ParameterError, Top};
 use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint};
 use crate::motion::Motion;
-use crate::motion::phase_equations::PhaseEquations;
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
@@ -25,36 +24,18 @@ pub struct Unrounded<'a> {
     pub half_tau: Extended,
     /// Half phase χ at t = 0; `None` for a steady motion.
     pub half_phase: Option<Phase>,
-    /// Slow phases of α and β at t = 0.
-    pub slow_phases: [Phase; 2],
 }
 
 impl<'a> From<&'a Motion> for Unrounded<'a> {
     fn from(motion: &'a Motion) -> Self {
-        let Motion { top: Top { a, s, p, g, .. }, e, integrals, half_tau, half_phase, slow_phases, .. } =
-            motion;
-        Self {
-            a: *a,
-            s: *s,
-            p: *p,
-            g: *g,
-            e,
-            integrals,
-            half_tau: *half_tau,
-            half_phase: *half_phase,
-            slow_phases: *slow_phases,
-        }
+        let Motion { top: Top { a, s, p, g, .. }, e, integrals, half_tau, half_phase, .. } = motion;
+        Self { a: *a, s: *s, p: *p, g: *g, e, integrals, half_tau: *half_tau, half_phase: *half_phase }
     }
 }
 
 /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
 pub fn aperiodic_v(motion: &Motion) -> Option<f64> {
     motion.aperiodic_v()
-}
-
-/// Phase equations of a motion.
-pub fn phase_equations(motion: &Motion) -> PhaseEquations<Extended> {
-    motion.equations()
 }
 
 /// Unrounded period of a motion, s, and its rotations about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT;
