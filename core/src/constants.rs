@@ -1,9 +1,9 @@
 //! Constants of a motion in extended precision: [`State`](crate::State) → [`FirstIntegrals`] →
 //! [`BranchPoints`] → [`Regime`], [`TipClass`].
 
-mod signs;
-
 mod first_integrals;
+
+mod reduced_point;
 
 pub(crate) mod cubic;
 
@@ -12,8 +12,7 @@ mod branch_points;
 mod regime;
 
 pub use branch_points::BranchPoints;
-pub use first_integrals::FirstIntegrals;
-pub(crate) use first_integrals::ReducedPoint;
+pub use first_integrals::{FirstIntegrals, Sign, Signs};
+pub(crate) use reduced_point::ReducedPoint;
 pub(crate) use regime::is_steady;
 pub use regime::{Regime, TipClass};
-pub use signs::{Sign, Signs};

@@ -47,7 +47,7 @@ pub mod table_format {}
 #[doc(hidden)]
 pub mod internal {
     pub use crate::body::{check, check_finite, check_item};
-    pub use crate::motion::unrounded::*;
+    pub use crate::motion::internals::*;
     pub use crate::scalar::sine::{
         COSINE, CUBIC, LINEAR, SINE, SINES, SMALL_SINE, VERSINE, rotate_quarter_turns,
     };

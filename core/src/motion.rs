@@ -14,7 +14,7 @@ mod half_phase;
 
 mod launch;
 
-pub(crate) mod unrounded;
+pub(crate) mod internals;
 
 pub use launch::InitialAngles;
 pub(crate) use launch_rounding::LaunchRounding;
@@ -34,7 +34,7 @@ use crate::su2::AttitudeState;
 pub struct Motion {
     top: Top,
     signs: Signs,
-    pub(crate) e: BranchPoints<Extended>,
+    pub(crate) branch_points: BranchPoints<Extended>,
     pub(crate) integrals: FirstIntegrals<Extended>,
     /// Half of τ = ⟨ω, r⟩ - n/A, rad/s.
     pub(crate) half_tau: Extended,
@@ -62,7 +62,7 @@ impl Motion {
 
     /// Class of the curve that the tip draws.
     pub fn tip_class(&self) -> TipClass {
-        TipClass::new(self.regime, &self.e, self.signs)
+        TipClass::new(self.regime, &self.branch_points, self.signs)
     }
 
     /// First integrals l, n and h, and numbers that follow from them.
@@ -72,7 +72,7 @@ impl Motion {
 
     /// Branch points e₁, e₂, e₃ and their differences, each with the relative error of one `f64` rounding.
     pub fn branch_points(&self) -> BranchPoints {
-        self.e.map(Float::to_f64)
+        self.branch_points.map(Float::to_f64)
     }
 
     /// Signs of l + n and l - n.
@@ -85,7 +85,7 @@ impl Motion {
     ///
     /// Cost: one integration.
     pub fn period_advance(&self) -> Option<PeriodAdvance> {
-        let windings = Ellipses::oscillating(&self.e, self.signs, Extended::to_f64).windings();
+        let windings = Ellipses::oscillating(&self.branch_points, self.signs, Extended::to_f64).windings();
         let period = self.period::<Extended>(&self.equations(), &mut || {})?;
         Some(PeriodAdvance::new(&period, self.half_tau, windings))
     }
@@ -101,7 +101,7 @@ impl Motion {
             return (self.torque_free_rate > Extended::ZERO)
                 .then(|| Period::torque_free(half_turn / self.torque_free_rate));
         }
-        (self.e.e3_minus_e2 > Extended::ZERO)
+        (self.branch_points.e3_minus_e2 > Extended::ZERO)
             .then(|| Period::integrated(&equations.map(F::from_extended), pause))
     }
 
@@ -141,7 +141,11 @@ impl Motion {
     /// Least normal force over the weight; `None` unless the tip slides. Where it is negative, a real top leaves the plane.
     pub fn min_normal_force(&self) -> Option<f64> {
         (self.top.support() == Support::Sliding).then(|| {
-            if self.is_steady() { 1.0 } else { normal_force::minimum(&self.e, self.top.a_over_ps()) }
+            if self.is_steady() {
+                1.0
+            } else {
+                normal_force::minimum(&self.branch_points, self.top.a_over_ps())
+            }
         })
     }
 
@@ -157,7 +161,7 @@ impl Motion {
         let rate = |momentum: Extended, complement: Extended, half_tau: Extended| {
             if complement > zero { momentum / (twice_a * complement) + half_tau } else { zero }
         };
-        let [one_plus_u, one_minus_u] = steady_tilt(&self.e, self.regime);
+        let [one_plus_u, one_minus_u] = steady_tilt(&self.branch_points, self.regime);
         let half_tau = self.half_tau;
         let FirstIntegrals { l_plus_n, l_minus_n, .. } = self.integrals;
         [rate(l_plus_n, one_plus_u, half_tau), rate(l_minus_n, one_minus_u, -half_tau)]
@@ -165,12 +169,18 @@ impl Motion {
 
     /// Whether u is constant to the last bit.
     pub(crate) fn is_steady(&self) -> bool {
-        is_steady(&self.e, self.regime)
+        is_steady(&self.branch_points, self.regime)
     }
 
     /// Phase equations of the motion.
     pub(crate) fn equations(&self) -> PhaseEquations<Extended> {
-        PhaseEquations::new(&self.top, &self.e, self.integrals.l_plus_n, self.signs, self.torque_free_rate)
+        PhaseEquations::new(
+            &self.top,
+            &self.branch_points,
+            self.integrals.l_plus_n,
+            self.signs,
+            self.torque_free_rate,
+        )
     }
 }
 

@@ -2,7 +2,7 @@
 //!
 //! On the motion, (s/2)(e₄² - u²) u'² = g (u - e₁)(u - e₂)(u - e₃). The differences are computed without cancellation.
 
-mod reduced_point;
+mod from_reduced_point;
 
 use crate::body::{ParameterError, Top, check_range};
 use crate::constants::{FirstIntegrals, Signs};

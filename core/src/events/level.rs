@@ -63,7 +63,7 @@ impl Level {
         if motion.top().support() != Support::Sliding || motion.is_steady() {
             return None;
         }
-        let e = &motion.e;
+        let e = &motion.branch_points;
         let [one_plus_u, one_minus_u] = normal_force::sign_change(e, motion.top().a_over_ps())?;
         let reached = one_minus_u > e.one_minus_e2 && one_plus_u > e.one_plus_e1;
         reached.then_some(Self { one_minus_u: one_minus_u.to_f64(), one_plus_u: one_plus_u.to_f64() })

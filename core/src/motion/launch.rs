@@ -84,7 +84,7 @@ impl Motion {
         Ok(Self {
             top: *top,
             signs,
-            e: *e,
+            branch_points: *e,
             integrals,
             half_tau,
             ellipses,
@@ -140,7 +140,7 @@ impl Motion {
         Ok(Self {
             top: *top,
             signs,
-            e,
+            branch_points: e,
             integrals,
             half_tau: top.half_tau(spin),
             ellipses,

@@ -1,4 +1,4 @@
-//! Constants of a motion before they are rounded, for the crates beside this one.
+//! Parts of a motion for the crates beside this one: unrounded constants, phases, and branch points of first integrals.
 
 use crate::body::{ParameterError, Top};
 use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint};
@@ -28,8 +28,18 @@ pub struct Unrounded<'a> {
 
 impl<'a> From<&'a Motion> for Unrounded<'a> {
     fn from(motion: &'a Motion) -> Self {
-        let Motion { top: Top { a, s, p, g, .. }, e, integrals, half_tau, half_phase, .. } = motion;
-        Self { a: *a, s: *s, p: *p, g: *g, e, integrals, half_tau: *half_tau, half_phase: *half_phase }
+        let Motion { top: Top { a, s, p, g, .. }, branch_points, integrals, half_tau, half_phase, .. } =
+            motion;
+        Self {
+            a: *a,
+            s: *s,
+            p: *p,
+            g: *g,
+            e: branch_points,
+            integrals,
+            half_tau: *half_tau,
+            half_phase: *half_phase,
+        }
     }
 }
 
