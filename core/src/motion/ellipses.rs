@@ -54,10 +54,12 @@ impl Ellipses<f64> {
 }
 
 impl<R: Real> Ellipses<R> {
+    /// Winding numbers of both ellipses around 0 over 2π of χ.
     pub(crate) fn windings(&self) -> [i32; 2] {
         [self.alpha.winding(), self.beta.winding()]
     }
 
+    /// Arguments of both ellipses.
     pub(crate) fn arguments(&self, cis_chi: Complex<R>) -> [Phase; 2] {
         [self.alpha.argument(cis_chi), self.beta.argument(cis_chi)]
     }

@@ -36,7 +36,8 @@ impl Motion {
 
     /// Motion from a state, with pauses for other work.
     ///
-    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (90 000 if compiled for size, 200 000 of a Cortex-M0+)
+    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F in a build for speed, every 90 000 in one for size, and every 200 000
+    ///   of a Cortex-M0+
     ///
     /// ```
     /// use toytop::{Motion, Release, State, Top, TopParameters};
@@ -101,7 +102,7 @@ impl Motion {
     /// # Errors
     /// * `e1`, `e2`, `e3`: not finite or not in this order
     /// * `theta`, `arg_alpha`, `arg_beta`: not finite or beyond ±1e6 rad
-    /// * `top`: no torque acts, so that branch points determine no rate
+    /// * `top`: no torque acts; branch points then determine no rate
     /// * `e3`: the axial rate (n - K)/C exceeds 1e24 per unit of time, or C = 0 and n is not K
     pub fn from_branch_points(
         top: &Top,

@@ -1,5 +1,5 @@
-//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`], where it converges geometrically. The rate is estimated from two
-//! changes.
+//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`]. There its error decreases geometrically with the number of
+//! nodes. The rate of the decrease is estimated from the last two changes.
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;
