@@ -85,12 +85,9 @@ pub trait TableScalar: Sealed + Copy + Debug + PartialEq + Neg<Output = Self> + 
         + 'static;
     /// Type of lengths and rates: the scalar itself, or `f32` for fixed point, whose range is too small.
     type Quantity: Real;
-    /// Number type in which a set-up integrates the period, of 64 bits, or of 128 for `f64`.
+    /// Number type of the rates in a set-up, of 64 bits, or of 128 for `f64`.
     #[doc(hidden)]
-    type PeriodNumber: Float;
-    /// Number type of the rates along the path of a set-up. `Extended` for `f64`, because a residual phase may be below 1e-16.
-    #[doc(hidden)]
-    type PathNumber: Float;
+    type RateNumber: Float;
 
     /// Half a unit in the last place of 1.
     const ROUNDING: f64;

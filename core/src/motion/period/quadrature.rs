@@ -16,6 +16,7 @@ impl Period {
         let mut landen = Landen::EMPTY;
         landen.fill(elliptic.parameters, pause);
         let mut rule = TrapezoidRule::new(&elliptic, &landen, pause);
+        rule.triple_nodes();
         loop {
             let error = rule.double_nodes();
             if rule.nodes >= MAX_NODES || error <= Period::rounding_error::<F>(rule.nodes) {
@@ -50,19 +51,26 @@ impl<'a, F: Float> TrapezoidRule<'a, F> {
         landen: &'a Landen<F>,
         pause: &'a mut dyn FnMut(),
     ) -> Self {
-        let step = [F::ONE, F::ZERO];
         let mut rule = Self {
             equations,
             landen,
             sums: [F::ZERO; 3],
             nodes: 1,
-            step,
+            step: [F::ONE, F::ZERO],
             changes: [f64::INFINITY; 2],
             pause,
         };
         let ends = add(rule.integrands_at([F::ZERO, F::ONE]), rule.integrands_at([F::ONE, F::ZERO]));
         rule.sums = ends.map(F::halved);
         rule
+    }
+
+    /// Divides the quarter turn between the ends by three: 3, 6, 12, ... nodes take less time than 2, 4, 8, ... in the costliest set-ups.
+    #[inline(never)]
+    fn triple_nodes(&mut self) {
+        self.step = [F::ONE.halved(), F::from_f64(0.75).sqrt()];
+        self.sums = add(self.sums, self.sum_nodes(2, self.step));
+        self.nodes = 3;
     }
 
     /// Halves the distance of the nodes. Returns the estimated relative error.
@@ -85,6 +93,7 @@ impl<'a, F: Float> TrapezoidRule<'a, F> {
     }
 
     /// Sums over nodes that are a step apart.
+    #[inline(always)] // a frame less on the stack
     fn sum_nodes(&mut self, nodes: u32, first: [F; 2]) -> [F; 3] {
         let [step_sine, step_cosine] = self.step;
         let [mut sine, mut cosine] = first;
@@ -188,6 +197,7 @@ mod tests {
         landen.fill(elliptic.parameters, &mut || {});
         let mut pause = || {};
         let mut rule = TrapezoidRule::new(&elliptic, &landen, &mut pause);
+        rule.triple_nodes();
         while rule.nodes < 2 * first.nodes {
             rule.double_nodes();
         }
@@ -199,11 +209,11 @@ mod tests {
         assert!(first.relative_error <= 1e-28, "{:e}", first.relative_error);
     }
 
-    /// A branch point e₄ close to e₂, with e₃ far away: the number of nodes follows from K'/K of these points.
+    /// A branch point e₄ close to e₂, with e₃ far away.
     #[test]
     fn a_fourth_branch_point_near_the_motion_takes_few_nodes() {
         let top = sliding([1.0, 0.01, 1.0, 87.0], 1.0);
-        for (e, nodes) in [([-1.0, 1.0, 3.9], 128), ([-0.9, 0.999, 3.9], 64), ([-0.9, 0.999, 1.001], 64)] {
+        for (e, nodes) in [([-1.0, 1.0, 3.9], 96), ([-0.9, 0.999, 3.9], 96), ([-0.9, 0.999, 1.001], 96)] {
             let motion =
                 Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default()).unwrap();
             assert_eq!(period::<Extended>(&motion).nodes, nodes, "{e:?}");

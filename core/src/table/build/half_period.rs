@@ -82,8 +82,7 @@ impl HalfPeriod {
         pause();
         // a steady motion has the period of an infinitesimal nutation, which does not count
         let equations = &scratch.equations;
-        let period =
-            if motion.is_steady() { None } else { motion.period::<R::PeriodNumber>(equations, pause) };
+        let period = if motion.is_steady() { None } else { motion.period::<R::RateNumber>(equations, pause) };
         self.mean_rates = MeanRates::new(motion, period.as_ref());
         pause();
         match period {
@@ -104,7 +103,7 @@ impl HalfPeriod {
     #[inline(never)]
     fn tabulate_path<R: TableScalar>(
         &mut self,
-        path: &mut Path<'_, R::PathNumber>,
+        path: &mut Path<'_, R::RateNumber>,
         segments: &mut [R::Segment],
         capacity: usize,
     ) -> Result<(), TooManySegments> {
@@ -130,7 +129,7 @@ impl HalfPeriod {
     /// Divides the half period into cells, and these into segments.
     fn divide<R: TableScalar>(
         &mut self,
-        path: &mut Path<'_, R::PathNumber>,
+        path: &mut Path<'_, R::RateNumber>,
         segments: &mut [R::Segment],
         capacity: usize,
     ) -> Result<(), TooManySegments> {
@@ -174,7 +173,7 @@ impl HalfPeriod {
         &mut self,
         cell: Interval,
         depth: u32,
-        path: &mut Path<'_, R::PathNumber>,
+        path: &mut Path<'_, R::RateNumber>,
         segments: &mut [R::Segment],
     ) -> Option<SegmentBounds> {
         let mut bounds = SegmentBounds::ZERO;

@@ -8,8 +8,7 @@ impl TableScalar for f64 {
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Quantity = Self;
-    type PeriodNumber = Extended;
-    type PathNumber = Extended;
+    type RateNumber = Extended;
 
     const ROUNDING: f64 = Self::EPSILON / 2.0;
     const CODE: u32 = 64;
