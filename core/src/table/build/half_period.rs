@@ -19,7 +19,6 @@ use stored_segment::{SegmentBounds, store_polynomial, store_segment};
 use super::error_budget::ErrorBudget;
 use super::interval::{Interval, SHORTEST_SEGMENTS};
 use super::mean_rates::MeanRates;
-use super::path::launch_search::LaunchSearch;
 use super::path::polynomial::Polynomial;
 use super::path::{Path, PathScratch};
 use crate::motion::Motion;
@@ -44,12 +43,6 @@ pub(super) struct HalfPeriod {
     error: f64,
 }
 
-/// Refusal of a motion that needs more segments than the table has.
-pub(super) struct TooManySegments {
-    /// Capacity of the table.
-    pub(super) segments: u32,
-}
-
 /// Length of a cell, in shortest segments.
 const CELL_LENGTH: usize = SHORTEST_SEGMENTS / CELLS;
 
@@ -64,9 +57,9 @@ impl HalfPeriod {
         error: 0.0,
     };
 
-    /// Computes the segments and stores them; refused as soon as they cannot fit.
+    /// Computes the segments and stores them; `None` as soon as they cannot fit.
     ///
-    /// * `segments`: memory of the segments; those beyond it share the last one, so that one is enough to count them
+    /// * `segments`: memory of the segments; a segment without a place overwrites the last one, so that one place is enough to count them
     /// * `capacity`: greatest number of segments
     pub(super) fn compute<R: TableScalar>(
         &mut self,
@@ -76,7 +69,7 @@ impl HalfPeriod {
         segments: &mut [R::Segment],
         capacity: usize,
         pause: &mut dyn FnMut(),
-    ) -> Result<(), TooManySegments> {
+    ) -> Option<()> {
         *self = Self::ZERO;
         scratch.set_equations(motion);
         pause();
@@ -92,9 +85,10 @@ impl HalfPeriod {
                 self.tabulate_path::<R>(&mut path, segments, capacity)
             }
             None => {
-                self.launch_phases = LaunchSearch::new(motion).found;
+                let [alpha, beta] = motion.slow_phases;
+                self.launch_phases = Phases { alpha, beta, ..self.launch_phases };
                 self.store_constants::<R>(motion, segments);
-                Ok(())
+                Some(())
             }
         }
     }
@@ -106,13 +100,13 @@ impl HalfPeriod {
         path: &mut Path<'_, R::RateNumber>,
         segments: &mut [R::Segment],
         capacity: usize,
-    ) -> Result<(), TooManySegments> {
+    ) -> Option<()> {
         self.divide::<R>(path, segments, capacity)?;
-        self.launch_phases = path.launch.found;
+        self.launch_phases = path.launch.phases;
         let [delay, residual] = path.errors();
         let bounds = &self.bounds;
         self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
-        Ok(())
+        Some(())
     }
 
     /// Stores one segment with constant a and b, for a steady motion.
@@ -132,7 +126,7 @@ impl HalfPeriod {
         path: &mut Path<'_, R::RateNumber>,
         segments: &mut [R::Segment],
         capacity: usize,
-    ) -> Result<(), TooManySegments> {
+    ) -> Option<()> {
         let mut position = 0;
         let mut depth = MIN_DEPTH;
         while position < SHORTEST_SEGMENTS {
@@ -144,7 +138,7 @@ impl HalfPeriod {
                 let least_after = (SHORTEST_SEGMENTS - cell.end()).div_ceil(SHORTEST_SEGMENTS >> MIN_DEPTH);
                 let count = self.segment_count + cell.part_count(depth) + least_after;
                 if depth > Cell::MAX_DEPTH || count > capacity {
-                    return Err(TooManySegments { segments: capacity as u32 });
+                    return None;
                 }
                 if let Some(bounds) = self.fill_cell::<R>(cell, depth, path, segments) {
                     break (cell, bounds);
@@ -163,7 +157,7 @@ impl HalfPeriod {
             self.bounds.include(&bounds);
             position = cell.end();
         }
-        Ok(())
+        Some(())
     }
 
     /// Fills one cell with segments, or two cells with one segment; `None` if the segments are too long.

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::error_budget::ErrorBudget;
-use super::half_period::{HalfPeriod, TooManySegments};
+use super::half_period::HalfPeriod;
 use super::path::PathScratch;
 use crate::body::{ParameterError, check};
 use crate::constants::Regime;
@@ -113,7 +113,7 @@ fn tabulate<R: TableScalar>(
     let Workspace { half_period, scratch } = workspace;
     half_period
         .compute::<R>(motion, &ErrorBudget::new::<R>(truncation), scratch, segments, capacity, pause)
-        .map_err(|TooManySegments { segments }| SetUpError::TableTooSmall { truncation, segments })
+        .ok_or(SetUpError::TableTooSmall { truncation, segments: capacity as u32 })
 }
 
 impl<R: TableScalar> TableMemory<Table<R>> {

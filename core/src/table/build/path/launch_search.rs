@@ -13,12 +13,12 @@ pub(crate) struct LaunchSearch {
     /// Half phase χ of the launch, mirrored to the rising half; `None` once the path has reached it.
     chi: Option<Phase>,
     is_falling: bool,
-    /// Nutation phase and mean phases of the launch, after the search.
-    pub(crate) found: Phases<Phase>,
+    /// Nutation phase and mean phases of the launch; before the search, the slow phases instead of the mean ones.
+    pub(crate) phases: Phases<Phase>,
 }
 
 impl LaunchSearch {
-    /// Search for the launch of a motion. The phases of a steady one are final.
+    /// Search for the launch of a motion.
     pub(crate) fn new(motion: &Motion) -> Self {
         let (half_turns, in_half_turn) = motion.half_phase.unwrap_or_default().split_half_turns();
         let is_falling = in_half_turn > Phase::QUARTER;
@@ -28,7 +28,7 @@ impl LaunchSearch {
             (half_turns, in_half_turn)
         };
         let [alpha, beta] = motion.slow_phases.map(|phase| phase + Phase::HALF * half_turns);
-        Self { chi: Some(chi), is_falling, found: Phases { nutation: Phase::ZERO, alpha, beta } }
+        Self { chi: Some(chi), is_falling, phases: Phases { nutation: Phase::ZERO, alpha, beta } }
     }
 
     /// Finds the phases, if the launch is on this span. The last span always contains it.
@@ -46,10 +46,10 @@ impl LaunchSearch {
         let (PathPhases { residual, .. }, _) = expansion.at(x);
         let mirror = |phase: Phase| if self.is_falling { -phase } else { phase };
         let [alpha_residual, beta_residual] = residual.map(mirror);
-        self.found = Phases {
+        self.phases = Phases {
             nutation: mirror(span.phase(x)),
-            alpha: self.found.alpha - alpha_residual,
-            beta: self.found.beta - beta_residual,
+            alpha: self.phases.alpha - alpha_residual,
+            beta: self.phases.beta - beta_residual,
         };
         self.chi = None;
     }
