@@ -21,10 +21,10 @@ pub(crate) fn launch_many(
     omega_name: &str,
     rows: PyReadonlyArray2<'_, f64>,
 ) -> PyResult<Vec<Py<MotionCore>>> {
-    let rows: Vec<_> = rows.as_array().outer_iter().map(|row| row.to_vec()).collect();
-    let motions = interrupt::map(py, tops.len().max(rows.len()), |index| {
+    let rows = rows.as_array();
+    let motions = interrupt::map(py, tops.len().max(rows.nrows()), |index| {
         let top = tops[index % tops.len()].get();
-        let (name, motion) = match rows[index % rows.len()][..] {
+        let (name, motion) = match rows.row(index % rows.nrows()).to_vec()[..] {
             [w, x, y, z, a, b, c] => ("quaternion", top.launch([w, x, y, z], omega_name, [a, b, c])),
             [a, b, c, d, e, f] => ("releases", top.release(a, b, c, d, e, f)),
             _ => ("rows", Err(value_error("rows", "must be of 6 or 7 numbers"))),
