@@ -63,7 +63,7 @@ impl MotionCore {
         let events = events.map_err(|error| renamed(error, &[("tilt", "value"), ("radius", "value")]))?;
         let row = |event: &MotionEvent| {
             let error = event.time_error.unwrap_or(f64::NAN);
-            let MotionSample { t, orientation, u, tip, tip_angle, .. } = event.sample;
+            let MotionSample { t, u, tip, tip_angle, .. } = event.sample;
             let (up, angle) = (f64::from(event.upward), tip_angle.unwrap_or(f64::NAN));
             [t, error, up, u, tip.re, tip.im, angle]
         };
