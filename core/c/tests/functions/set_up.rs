@@ -72,22 +72,34 @@ fn each_refused_set_up_has_a_status() {
     }
 }
 
-/// The number of segments that is stated to be enough is, and one fewer is not.
+/// The number of segments that is stated to be enough is, and one fewer is not: for sizes from 9 to 15, in each scalar.
 #[test]
 fn the_segments_needed_are_enough() {
-    let motion = &launched(&TOP);
-    let needed = |motion, truncation| unsafe { toytop_f32_segments_needed(motion, truncation) as usize };
-    let segments = needed(motion, 1e-12);
-    assert!((17..=4096).contains(&segments), "{segments}");
-    assert_eq!([needed(null(), 1e-12), needed(motion, -1.0)], [0; 2]);
-    let bytes = f32_size(segments);
-    let mut words = vec![0_u64; bytes / 8];
-    let table = words.as_mut_ptr().cast();
-    for (bytes, expected) in [(bytes - 80, TOYTOP_TABLE_TOO_SMALL), (bytes, TOYTOP_OK)] {
-        let settings = toytop_settings { truncation: 1e-12, ..SETTINGS };
-        let ended = unsafe { toytop_f32_set_up(table, bytes, motion, &settings, null_mut()) };
-        assert_eq!(ended, expected);
+    assert_eq!(unsafe { toytop_f32_segments_needed(&launched(&TOP), -1.0) }, 0);
+    macro_rules! sizes {
+        ($needed:ident, $set_up:ident, $size:ident, $standard:literal, $segment:literal) => {{
+            let mut count = 0;
+            for (exponent, gravity) in (4..50).flat_map(|n| [(n, 9.81), (n, 1800.0)]) {
+                let motion = &launched(&toytop_top { gravity, ..TOP });
+                let settings = toytop_settings { truncation: 0.5_f64.powi(exponent), ..SETTINGS };
+                let segments = unsafe { $needed(motion, settings.truncation) } as usize;
+                if !(9..16).contains(&segments) {
+                    continue;
+                }
+                let bytes = $size - $segment * $standard + $segment * segments;
+                let mut words = vec![0_u64; bytes / 8];
+                let table = words.as_mut_ptr().cast();
+                for (bytes, ended) in [(bytes - $segment, TOYTOP_TABLE_TOO_SMALL), (bytes, TOYTOP_OK)] {
+                    assert_eq!(unsafe { $set_up(table, bytes, motion, &settings, null_mut()) }, ended);
+                }
+                count += 1;
+            }
+            assert!(count > 4, "{count}");
+        }};
     }
+    sizes!(toytop_f32_segments_needed, toytop_f32_set_up, TOYTOP_TABLE_F32_SIZE, 25, 80);
+    sizes!(toytop_f64_segments_needed, toytop_f64_set_up, TOYTOP_TABLE_F64_SIZE, 48, 352);
+    sizes!(toytop_q31_segments_needed, toytop_q31_set_up, TOYTOP_TABLE_Q31_SIZE, 32, 64);
 }
 
 #[test]
