@@ -18,8 +18,9 @@ use crate::estimate::Estimate;
 use crate::fit::block::Block;
 use crate::fit::limits::{FIRST_INSTANTS, GUESSES, MAX_INSTANTS, RANGE_FRACTION, TILTS};
 use crate::sensors::{Hint, Measurements};
-use crate::vector::{UP, Vector, add_scaled, cast, cross, dot, norm, rotation_vector, scaled, unit};
+use crate::vector::{UP, Vector, add_scaled, cross, dot, norm, rotation_vector, scaled, unit};
 use core::f64::consts::PI;
+use toytop::Complex;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
@@ -166,7 +167,7 @@ pub(super) fn guesses<F: Real>(block: &Block<F, impl Measurements>, tip_scale: f
     let mean = mean_rate(instants.clone());
     let omega = match (rate, mean) {
         (Some(([x, y, _], true)), Some([.., axial])) => [x, y, axial],
-        (Some(([x, y, low], true)), None) => [x, y, axial_rate_from_circle::<F>(instants, low)?],
+        (Some(([x, y, low], true)), None) => [x, y, axial_rate_from_circle(instants, low)?],
         (Some((omega, false)), _) => omega,
         (None, mean) => mean?,
     };
@@ -218,56 +219,22 @@ fn mean_rate(instants: impl Iterator<Item = Instant>) -> Option<Vector<f64>> {
     first.map(|[x, y, _]| [x, y, axial_angle / (time - start)])
 }
 
-/// Rate about the axis from the circle that a direction draws in the body, with the sign of `bound`.
-///
-/// A direction K of the body frame obeys K' = -Ω × K. The rates across the axis were read; rates about it are tried. The best one is
-/// refined by halving steps.
+/// Rate about the axis from the circle that a direction draws in the body, with the sign of `bound`: the mean turn between two readings
+/// that follow each other. The rates across the axis are neglected; a larger turn than 3/4 of the circle is not recognised.
 #[inline(never)] // stack
-fn axial_rate_from_circle<F: Real>(
-    instants: impl Iterator<Item = Instant> + Clone,
-    bound: f64,
-) -> Option<f64> {
-    const HALVINGS: u32 = 12;
-    let direction = |instant: &Instant| instant.directions.into_iter().flatten().next();
-    let mismatch = |rate: f64| {
-        let mut sum = F::ZERO;
-        let mut transverse = None;
-        let mut known: Option<(f64, Vector<f64>, Vector<F>)> = None;
-        for instant in instants.clone() {
-            transverse = instant.rate.map(|([x, y, _], _)| [x, y]).or(transverse);
-            if let (Some((time, _, body)), Some([x, y])) = (&mut known, transverse) {
-                let turn = scaled([x, y, rate], *time - instant.time);
-                (*time, *body) = (instant.time, Orientation::exp(cast(turn)).adjoint(*body));
-            }
-            if let Some([fixed, body]) = direction(&instant) {
-                if let Some((_, _, expected)) = known.filter(|(_, same, _)| *same == fixed) {
-                    let off = add_scaled(expected, cast(body), -F::ONE);
-                    sum = sum + dot(off, off);
-                }
-                known = Some((instant.time, fixed, cast(body)));
-            }
-        }
-        sum
-    };
-    // the shortest interval limits the rates, and the longest one tells how close to each other they must be
-    let times = instants.clone().filter(|instant| direction(instant).is_some()).map(|instant| instant.time);
-    let intervals = times.clone().skip(1).zip(times).map(|(next, time)| next - time);
-    let (shortest, longest) =
-        intervals.fold((f64::INFINITY, 0.0_f64), |(least, most), span| (least.min(span), most.max(span)));
-    let mut step = (0.3 / longest).copysign(bound);
-    let steps = ((PI / shortest - RANGE_FRACTION * bound.abs()) / step.abs()).min(2000.0) as u32;
-    let better = |(rate, least): (f64, F), tried: f64| {
-        let value = mismatch(tried);
-        if value < least { (tried, value) } else { (rate, least) }
-    };
-    let unknown = F::from_f64(f64::INFINITY);
-    let rates = (0..steps).map(|count| RANGE_FRACTION * bound + step * f64::from(count));
-    let mut best = rates.fold((bound, unknown), better);
-    for _ in 0..HALVINGS {
-        step *= 0.5;
-        let (middle, _) = best;
-        best = better(better(best, middle - step), middle + step);
+fn axial_rate_from_circle(instants: impl Iterator<Item = Instant>, bound: f64) -> Option<f64> {
+    let mut known = instants.filter_map(|instant| {
+        let [fixed, [x, y, _]] = instant.directions.into_iter().flatten().next()?;
+        Some((instant.time, fixed, Complex::new(x, y)))
+    });
+    let (start, direction, mut last) = known.next()?;
+    let (mut end, mut count, mut turns) = (start, 0.0, Complex::ZERO);
+    for (time, _, next) in known.filter(|(_, fixed, _)| *fixed == direction) {
+        turns = turns + last * next.conj();
+        (end, count, last) = (time, count + 1.0, next);
     }
-    let (rate, least) = best;
-    (least < unknown).then_some(rate)
+    let sign = 1_f64.copysign(bound);
+    // a small turn may seem negative because of noise
+    let turn = 0.5 * PI + libm::atan2(-turns.re, sign * turns.im);
+    (end > start).then(|| sign * (count * turn / (end - start)).max(RANGE_FRACTION * bound.abs()))
 }
