@@ -28,8 +28,7 @@ pub(crate) unsafe fn write<T>(pointer: *mut T, value: T) -> Result<(), Refusal> 
     Ok(())
 }
 
-/// Value of the crate as C keeps it: words with a tag that tells whether, and as what, they were written. Words that are
-/// all 0, or of another type, are refused.
+/// Value of the crate as C keeps it: a tag of the type, and the words of the value. Words with another tag, such as zeros, are refused.
 #[repr(C)]
 struct Tagged<T> {
     tag: u32,
@@ -39,16 +38,16 @@ struct Tagged<T> {
 /// Value of type `T` in a C structure of at least its size, `P`.
 ///
 /// # Safety
-/// The pointer is null or valid for reading a `P` of plain words. If they have the tag of `T`, they are as [`store`] wrote them.
+/// The pointer is null or valid for reading a `P`. If the words have the tag of `T`, they are as [`store`] wrote them.
 pub(crate) unsafe fn load<P, T: Opaque>(place: *const P) -> Result<T, Refusal> {
     const { assert!(size_of::<Tagged<T>>() <= size_of::<P>()) };
     let words = place.cast::<Tagged<T>>();
-    // SAFETY: the tag is in the place, which is as large as the whole; any bits are a `u32`.
+    // SAFETY: the tag is at the start of the place; any bits are a `u32`.
     let tag = unsafe { read(words.cast::<u32>())? };
     if tag != T::TAG {
         return Err(toytop_status::TOYTOP_NOT_SET_UP.into());
     }
-    // SAFETY: the pointer was not null. By its tag `store` wrote the value.
+    // SAFETY: the pointer was not null, and the tag tells that `store` wrote the value.
     Ok(unsafe { words.read_unaligned().value.assume_init() })
 }
 
@@ -58,7 +57,7 @@ pub(crate) unsafe fn load<P, T: Opaque>(place: *const P) -> Result<T, Refusal> {
 /// The pointer is null or valid for writing a `P`.
 pub(crate) unsafe fn store<P, T: Opaque>(place: *mut P, value: T) -> Result<(), Refusal> {
     const { assert!(size_of::<Tagged<T>>() <= size_of::<P>()) };
-    // SAFETY: the place is as large as the whole.
+    // SAFETY: the place is at least as large as what is written.
     unsafe { write(place.cast(), Tagged { tag: T::TAG, value: MaybeUninit::new(value) }) }
 }
 
