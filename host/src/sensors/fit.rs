@@ -180,7 +180,8 @@ impl FitResult {
     pub fn spin_and_tilt(&self) -> [Estimated<f64>; 2] {
         let launch = &self.fitted.launch;
         let (r, w) = (launch.orientation.axis(), launch.omega);
-        let deviation = |row: [f64; 6]| variance(row, |i, j| self.fitted.covariance(i, j)).sqrt();
+        let covariance = |i, j| self.fitted.covariance(i, j).unwrap_or(f64::NAN);
+        let deviation = |row: [f64; 6]| variance(row, covariance).sqrt();
         // ω turns with the axis
         let spin = deviation([0.0, 0.0, 0.0, r[0], r[1], r[2]]);
         let level = (r[0] * r[0] + r[1] * r[1]).sqrt();

@@ -98,7 +98,7 @@ impl<'a> FitSummary<'a> {
             losses: drift.losses,
             rates: drift.rates,
         });
-        let covariance = |i| (0..count).map(|j| fitted.covariance(i, j)).collect();
+        let covariance = |i| (0..count).filter_map(|j| fitted.covariance(i, j)).collect();
         Self {
             converged: fitted.is_trusted(),
             reason: fit.reason.as_deref(),

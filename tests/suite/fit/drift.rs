@@ -116,7 +116,7 @@ fn square(fitted: &Fitted, state: &State) -> f64 {
     let (found, [a, b, c]) = (fitted.launch.omega, turn.inverse().adjoint(state.omega()));
     let [x, y, z] = [x, y, z].map(|x| 2.0 * x * w.signum());
     let error = Vector6::new(x, y, z, a - found[0], b - found[1], c - found[2]);
-    let covariance = Matrix6::from_fn(|i, j| fitted.covariance(i.max(j), i.min(j)));
+    let covariance = Matrix6::from_fn(|i, j| fitted.covariance(i.max(j), i.min(j)).unwrap());
     error.dot(&covariance.cholesky().unwrap().solve(&error))
 }
 

@@ -12,7 +12,7 @@ use crate::vector::{UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
 use toytop::{Motion, ParameterError, State, Top};
 
-/// Directions of the launch that the measurements leave open: uncertain by over 1 rad, or by over |ω|.
+/// Undetermined directions of the launch: their standard deviation is above 1 rad, or above |ω|.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Unobservable {
     /// Rotation of the whole motion about the vertical.
@@ -57,7 +57,7 @@ pub struct Fitted {
     pub launch: Estimate,
     /// Residuals of the last pass, before the last correction of the launch. `chi_squared` is the value expected after that correction.
     pub statistics: Statistics,
-    /// Undetermined directions. In place of an unknown standard deviation they have 10 rad, or 10 |ω|.
+    /// Undetermined directions. Their standard deviation is unknown, and is given as 10 rad or 10 |ω|.
     pub unobservable: Unobservable,
     /// Reason why the launch must not be trusted; `None` if it may be.
     pub warning: Option<FitWarning>,
@@ -143,21 +143,21 @@ impl Fitted {
         self.model.sensitivity(&self.launch, &equations)
     }
 
-    /// Covariance of two unknowns, counted from 0; 0 where there is no such unknown. The unknowns are: rotation vector δ of Φ in the fixed
-    /// frame, change η of ω in the frame that δ turns, logarithms of the free ratios, losses of rotation if they are unknowns, biases. The
-    /// true launch is exp(δ) Φ and exp(δ) (ω + η).
+    /// Covariance of two unknowns, counted from 0; `None` if one of them is not an unknown of this fit. The unknowns are: rotation vector δ of
+    /// Φ in the fixed frame, change η of ω in the frame that δ turns, logarithms of the free ratios, losses of rotation if they are unknowns,
+    /// biases. The true launch is exp(δ) Φ and exp(δ) (ω + η).
     ///
     /// Errors are normally distributed in δ and η. In ω they are not, if the rotation about the vertical is poorly known.
     #[must_use]
-    pub fn covariance(&self, i: usize, j: usize) -> f64 {
-        self.covariance.entry(i, j)
+    pub fn covariance(&self, i: usize, j: usize) -> Option<f64> {
+        (i.max(j) < self.unknown_count).then(|| self.covariance.entry(i, j))
     }
 
     /// Standard deviations of the unknowns, in the coordinates of [`Fitted::covariance`]. Those after the first
     /// [`Fitted::unknown_count`] are 0, and belong to no unknown.
     #[must_use]
     pub fn deviations(&self) -> [f64; MAX_UNKNOWNS] {
-        core::array::from_fn(|index| libm::sqrt(self.covariance(index, index)))
+        core::array::from_fn(|index| libm::sqrt(self.covariance.entry(index, index)))
     }
 
     /// Covariance of the rotation vector of a predicted orientation.

@@ -184,6 +184,6 @@ fn normalised_square(fitted: &Fitted, state: &State) -> f64 {
     let seen = turn.inverse().adjoint(yaw.adjoint(state.omega()));
     let eta = [0, 1, 2].map(|k| seen[k] - launch.omega[k]);
     let error = Vector6::from_iterator(theta.into_iter().chain(eta));
-    let covariance = Matrix6::from_fn(|i, j| fitted.covariance(i, j));
+    let covariance = Matrix6::from_fn(|i, j| fitted.covariance(i, j).unwrap_or(f64::NAN));
     covariance.cholesky().map_or(f64::INFINITY, |factors| error.dot(&factors.solve(&error)))
 }
