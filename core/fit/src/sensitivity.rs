@@ -47,7 +47,7 @@ pub(crate) const PASS_STEP: f64 = 0.4;
 #[derive(Clone, Copy, Debug)]
 pub struct Sensitivity {
     start: Trajectory<f64>,
-    period: Option<Period>,
+    period: Option<PeriodEffect>,
     /// Trajectory from which the next time is reached, and the number of whole periods that are added to its time.
     trajectory: Trajectory<f64>,
     count: i64,
@@ -55,7 +55,7 @@ pub struct Sensitivity {
 
 /// Effect of one nutation period.
 #[derive(Clone, Copy, Debug)]
-struct Period {
+struct PeriodEffect {
     /// Period T.
     length: Extended,
     /// Rotations about the vertical and about the axis in one period.
@@ -79,7 +79,7 @@ impl Sensitivity {
         "gravity",
     ];
 
-    /// Sensitivity of a motion. It takes one integration over a nutation period; none where there is no period.
+    /// Sensitivity of a motion. If the motion has a nutation period, one period is integrated.
     #[must_use]
     pub fn new(motion: &Motion) -> Self {
         Self::with_equations(motion, &Equations::new(motion.top()), SENSITIVITY_STEP)
@@ -100,7 +100,7 @@ impl Sensitivity {
                 *grown = grown.plus(initial, -1.0);
             }
             let growth = projected(&equations.gradients(&launch), equations.frequency(&launch), &growth);
-            Some(Period { length, rotations, growth })
+            Some(PeriodEffect { length, rotations, growth })
         });
         Self { period, ..launched }
     }
@@ -148,7 +148,7 @@ impl Sensitivity {
     }
 }
 
-impl Period {
+impl PeriodEffect {
     /// Number of whole periods in t, to the nearest, and the remaining time; `None` beyond 2^52 periods.
     fn reduced(&self, t: f64) -> Option<(i64, f64)> {
         let count = libm::round(t / self.length.to_f64());

@@ -32,7 +32,7 @@ pub(crate) fn about_third_axis<F: Real>(angle: Phase) -> Orientation<F> {
 
 /// Map from fixed coordinates to those along the body axes of an orientation.
 pub(crate) fn coordinates<F: Float>(phi: Orientation<F>) -> impl Fn(Vector<F>) -> Vector<F> {
-    let axes = UNITS.map(|unit| phi.adjoint(cast(unit)));
+    let axes = phi.inverse().matrix();
     move |fixed| axes.map(|axis| dot(axis, fixed))
 }
 

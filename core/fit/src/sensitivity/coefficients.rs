@@ -33,7 +33,7 @@ impl<F: Float> Coefficients<F> {
     }
 
     /// Whether there are losses, or changes of them.
-    pub(crate) fn are_lossy(&self) -> bool {
+    pub(crate) fn has_losses(&self) -> bool {
         self.losses != [F::ZERO; LOSS_COUNT]
     }
 }

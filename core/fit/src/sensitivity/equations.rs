@@ -77,7 +77,7 @@ impl<F: Float> Acceleration<F> {
         let factor = one + p_over_a * s * q_squared;
         let mut force =
             dot(transverse, axis_rate_cross_k) - n_over_a * axis_rate_q - p_over_a * g * q_squared;
-        if coefficients.are_lossy() {
+        if coefficients.has_losses() {
             force = force - x2 * u_rate;
         }
         let u_acceleration = force / factor;
@@ -85,7 +85,7 @@ impl<F: Float> Acceleration<F> {
         let support_torque = p_over_a * support;
         let mut transverse_rate = add_scaled(scaled(q, -support_torque), axis_rate, -n_over_a);
         let mut spin_rate = F::ZERO;
-        if coefficients.are_lossy() {
+        if coefficients.has_losses() {
             let [.., omega_k] = state.omega();
             let lost = [(transverse, -x2), (transverse_vertical(axis), -(x3 * omega_k))];
             (transverse_rate, spin_rate) = (add_all(transverse_rate, lost), -(x1 * spin));
@@ -144,9 +144,12 @@ impl Equations<f64> {
         }
     }
 
-    /// Upper bound on the frequencies of the motion, rad per unit time: the frequency of the gyroscopic torque, plus twice the greatest rate of
-    /// the axis. Gravity accelerates the axis until it points down, or until the gyroscopic torque has turned it; the axis of a
-    /// sliding top is faster near the vertical by √(ps/A). It is 1 for a body at rest without torque.
+    /// Upper bound on the frequencies of the motion, rad per unit time:
+    ///
+    /// √((n/A)² + pg/A) + (2 + √(ps/A)) · (greatest rate of the axis)
+    ///
+    /// Gravity accelerates the axis until it points down, or until the gyroscopic torque has turned it. The smaller of the two rates is
+    /// the bound.
     pub(crate) fn frequency(&self, state: &BodyState<f64>) -> f64 {
         let Coefficients { p_over_a, s, g, .. } = self.coefficients;
         let axis = state.orientation.axis();
@@ -159,6 +162,7 @@ impl Equations<f64> {
         let driven = libm::sqrt(square) + 2.0 * p_over_a * g / n_over_a;
         let sum = libm::sqrt(n_over_a * n_over_a + p_over_a * g)
             + hanging.min(driven) * (2.0 + libm::sqrt(p_over_a * s));
+        // a body at rest without torque has no frequency
         if sum > 0.0 { sum } else { 1.0 }
     }
 }
@@ -213,7 +217,7 @@ impl<F: Float> Equations<F> {
             (cross(eta, at.axis), -at.n_over_a),
         ];
         let mut rate = add_all(cross(at.state.transverse, eta), terms);
-        if self.coefficients.are_lossy() || change.is_some_and(Coefficients::are_lossy) {
+        if self.coefficients.has_losses() || change.is_some_and(Coefficients::has_losses) {
             rate = add_scaled(rate, self.loss_change(at, tangent, change), -F::ONE);
         }
         Tangent { theta: eta, eta: rate }

@@ -96,8 +96,7 @@ impl<F: Float> Partials<F> {
     /// Tip c = -s (r₁ + i r₂), m; -(r₁ + i r₂) for a fixed tip.
     #[must_use]
     pub fn tip(&self) -> Complex<F> {
-        let [x, y, _] = scaled(self.axis(), -self.tip_scale());
-        Complex::new(x, y)
+        self.state.orientation.tip_over_s().scaled(self.tip_scale())
     }
 
     /// Length s of a sliding top; 1 for a fixed tip.
