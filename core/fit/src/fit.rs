@@ -51,7 +51,8 @@ pub use warning::FitWarning;
 /// 12 KB of stack.
 #[derive(Clone)]
 pub struct Fit<'a, F = f64> {
-    solver: Solver<'a, F>,
+    sensors: &'a [&'a dyn Sensor<F>],
+    solver: Solver<F>,
 }
 
 /// Fit of a block, and its difference from the prediction of the last block.
@@ -77,7 +78,7 @@ impl<'a, F: Real> Fit<'a, F> {
         sensors: &'a [&'a dyn Sensor<F>],
         ratios: &[FreeRatio],
     ) -> Result<Self, ParameterError> {
-        Ok(Self { solver: Solver::new(sensors, Model::new(top, sensors, ratios, None)?, 3.0) })
+        Ok(Self { sensors, solver: Solver::new(Model::new(top, sensors, ratios, None)?, 3.0) })
     }
 
     /// Sets the largest residual that counts quadratically, in standard deviations; larger ones count linearly (Huber). It is infinite for
@@ -98,9 +99,9 @@ impl<'a, F: Real> Fit<'a, F> {
     /// `ratios`: more than one. `deviation`: not a positive number.
     pub fn with_losses(self, deviation: f64) -> Result<Self, ParameterError> {
         check(deviation.is_finite() && deviation > 0.0, "deviation", "finite and positive")?;
-        let Solver { sensors, model, huber, .. } = self.solver;
+        let Self { sensors, solver: Solver { model, huber, .. } } = self;
         let model = Model::new(&model.top, sensors, model.free(), Some(deviation))?;
-        Ok(Self { solver: Solver::new(sensors, model, huber) })
+        Ok(Self { sensors, solver: Solver::new(model, huber) })
     }
 
     /// Launch from all measurements, without a first guess. The measurements are read several times.
@@ -112,12 +113,12 @@ impl<'a, F: Real> Fit<'a, F> {
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Fitted, ParameterError> {
         let solver = &mut self.solver;
-        let block = Block::new(solver.sensors, measurements)?;
+        let block = Block::new(self.sensors, measurements)?;
         solver.reset_prior();
         let (warning, other_launch_count) = solver.find(&block);
         let mut fitted = Fitted::new(solver, block.times, warning, other_launch_count);
         if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotConverged)) {
-            let cause = solver.misfit_cause(&block, fitted.statistics.chi_squared);
+            let cause = solver.diagnose_misfit(&block, fitted.statistics.chi_squared);
             fitted.warning = cause.or(fitted.warning);
         }
         Ok(fitted)
@@ -133,7 +134,7 @@ impl<'a, F: Real> Fit<'a, F> {
         measurements: impl Iterator<Item = Measurement> + Clone,
     ) -> Result<Fitted, ParameterError> {
         let solver = &mut self.solver;
-        let block = Block::new(solver.sensors, measurements)?;
+        let block = Block::new(self.sensors, measurements)?;
         solver.reset_prior();
         solver.start_from(&guess);
         let warning = solver.converge_on_all(&block);
@@ -159,7 +160,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let solver = &mut self.solver;
         let is_same = solver.model.has_unknowns_of(&last.model);
         check(is_same, "last", "of the same top, and have the same unknowns")?;
-        let block = Block::new(solver.sensors, measurements)?;
+        let block = Block::new(self.sensors, measurements)?;
         let [first, _] = block.times;
         let span = first - last.launch_time;
         check_item(span >= 0.0, "measurements", 0, "as late as the last launch, or later")?;

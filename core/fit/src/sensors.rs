@@ -55,17 +55,15 @@ pub enum Hint {
         /// Whether the component along the axis is beyond the range of the sensor.
         axial_is_saturated: bool,
     },
-    /// Direction that is known in the fixed frame, seen in the body frame.
+    /// Direction that is known in both frames. For the symmetry axis, `body` is [0, 0, 1].
     Direction {
-        /// Unit vector in the fixed frame.
+        /// Vector along the direction in the fixed frame, of any length.
         fixed: Vector<f64>,
         /// Vector along the same direction in the body frame, of any length.
         body: Vector<f64>,
     },
     /// Orientation Φ, of either sign.
     Orientation(Orientation<f64>),
-    /// Axis r in the fixed frame.
-    Axis(Vector<f64>),
     /// Tip c on the plane, m. The top is assumed to stand above the plane.
     Tip(Complex<f64>),
 }

@@ -101,19 +101,13 @@ pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitRe
     Ok(FitResult { input, fitted, reason, end })
 }
 
-/// Whether the first measurements contain an orientation, an axis, or a direction and rates.
+/// Whether the first measurements contain an orientation or a direction.
 fn has_beginning(sensors: &Sensors, measurements: &[Measurement]) -> bool {
     const FIRST: usize = 64;
-    let [mut direction, mut rate] = [false; 2];
-    for Measurement { sensor, values, .. } in measurements.iter().take(FIRST) {
-        match sensors.models.get(*sensor).map(|model| model.sensor.hint(values)) {
-            Some(Hint::Orientation(_) | Hint::Axis(_) | Hint::Tip(_)) => return true,
-            Some(Hint::Direction { .. }) => direction = true,
-            Some(Hint::Rate { .. }) => rate = true,
-            _ => {}
-        }
-    }
-    direction && rate
+    measurements.iter().take(FIRST).any(|Measurement { sensor, values, .. }| {
+        let hint = sensors.models.get(*sensor).map(|model| model.sensor.hint(values));
+        matches!(hint, Some(Hint::Orientation(_) | Hint::Direction { .. } | Hint::Tip(_)))
+    })
 }
 
 /// Fitted launch with its input.

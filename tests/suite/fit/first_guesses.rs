@@ -83,6 +83,18 @@ fn no_launch_is_believed_that_the_magnetometer_contradicts() {
     }
 }
 
+/// The force of the plane is vertical, and shows the tilt and how the body turns about its axis.
+#[test]
+fn an_accelerometer_alone_tells_all_but_the_yaw() {
+    for case in 0..48 {
+        let state = thrown(case, 0.1 + 0.015 * f64::from(case), 5.0 + 4.7 * f64::from(case));
+        let fit = simulated(&toy(), &state, &[&ACCELEROMETER], 300, u64::from(case));
+        assert!(fit.is_trusted(), "{case}: {:?} {:?}", fit.warning, fit.statistics);
+        assert!(fit.unobservable.yaw && fit.unobservable.count == 1, "{case}: {:?}", fit.unobservable);
+        assert!(error(&fit, &state) < 0.1, "{case}: {}", error(&fit, &state));
+    }
+}
+
 /// Rates alone tell the tilt by the torque of gravity, and leave the yaw open.
 #[test]
 fn a_gyroscope_alone_tells_all_but_the_yaw() {

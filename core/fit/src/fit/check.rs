@@ -11,7 +11,7 @@ use crate::sensors::Measurements;
 use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
 
-impl<F: Real> Solver<'_, F> {
+impl<F: Real> Solver<F> {
     /// Searches for a launch, and checks it. Returns the reason not to trust the estimate, and the number of other launches that fit as well.
     pub(super) fn find(&mut self, block: &Block<F, impl Measurements>) -> (Option<FitWarning>, usize) {
         match self.search(block) {
@@ -69,9 +69,9 @@ impl<F: Real> Solver<'_, F> {
         self.cost_of(upright, block) <= self.best.statistics.cost + CHANCE_COST
     }
 
-    /// Cause of residuals that are too large. The best estimate is overwritten.
+    /// Cause of residuals that are too large. The launch is searched for once more, with the rates in degrees: the best estimate is lost.
     #[inline(never)] // stack
-    pub(super) fn misfit_cause(
+    pub(super) fn diagnose_misfit(
         &mut self,
         block: &Block<F, impl Measurements>,
         chi_squared: f64,

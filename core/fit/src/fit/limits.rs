@@ -1,10 +1,10 @@
 //! Numbers of the search, the solver and the check, and the reason of each.
 
-/// Number of instants with an orientation, a direction or the axis in the first part: more than noise needs, and fewer than a phase
-/// needs to be wrong by a turn.
-pub(super) const FIRST_INSTANTS: usize = 16;
-/// Largest number of instants that are searched for them.
-pub(super) const MAX_INSTANTS: usize = 1024;
+/// Number of readings of an orientation or a direction in the first part: more than noise needs, and fewer than a phase needs to be wrong
+/// by a turn.
+pub(super) const FIRST_READINGS: usize = 16;
+/// Largest number of readings that are searched for them.
+pub(super) const MAX_READINGS: usize = 1024;
 /// Length of a part of the measurements over that of the part before. The error of a rate that was found on a part is small enough for one
 /// that is four times as long.
 pub(super) const PART_FACTOR: usize = 4;
@@ -34,7 +34,7 @@ pub(super) const OPEN_DEVIATION: f64 = 10.0;
 
 /// Difference that noise does not explain, in standard deviations: a gross error, or the distance of two launches that are not the same.
 pub(super) const GROSS_SIGMA: f64 = 10.0;
-/// Number of outliers as which a gross error counts: a twentieth of gross errors is as bad as a fifth of outliers.
+/// A gross error counts as this number of outliers, so that 5 % of gross errors are as bad as 20 % of outliers.
 pub(super) const GROSS_WEIGHT: u32 = 4;
 /// One outlier is allowed for every five residuals, and three more, for short blocks.
 pub(super) const OUTLIER_PART: u32 = 5;

@@ -2,15 +2,15 @@
 
 use crate::estimate::Estimate;
 use crate::fit::block::Block;
-use crate::fit::first_guess::{Guesses, guesses};
-use crate::fit::limits::{CHANCE_COST, FIRST_INSTANTS, GROSS_SIGMA, PART_FACTOR};
+use crate::fit::first_guess::guesses;
+use crate::fit::limits::{CHANCE_COST, FIRST_READINGS, GROSS_SIGMA, PART_FACTOR};
 use crate::fit::solver::{Pass, Solver};
 use crate::fit::warning::FitWarning;
 use crate::sensors::Measurements;
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
-impl<F: Real> Solver<'_, F> {
+impl<F: Real> Solver<F> {
     /// Finds an estimate that is good enough for passes over all measurements. Returns the number of other launches that fit the first
     /// ones equally well, or the reason why there is no guess.
     #[inline(never)] // stack
@@ -21,8 +21,8 @@ impl<F: Real> Solver<'_, F> {
             return Err(FitWarning::TooFew);
         }
         let guesses = guesses(block, self.model.top.tip_scale()).ok_or(FitWarning::NoBeginning)?;
-        let first = FIRST_INSTANTS * self.sensors.len();
-        let other_launch_count = self.try_guesses(block, &guesses, first);
+        let first = FIRST_READINGS * block.sensors.len();
+        let other_launch_count = self.try_guesses(block, guesses, first);
         let parts = core::iter::successors(Some(first), |count| count.checked_mul(PART_FACTOR));
         for count in parts.skip(2).take_while(|count| *count < block.total) {
             self.converge(block, count);
@@ -35,10 +35,15 @@ impl<F: Real> Solver<'_, F> {
     ///
     /// * `first`: number of measurements of the first part
     #[inline(never)] // stack
-    fn try_guesses(&mut self, block: &Block<F, impl Measurements>, guesses: &Guesses, first: usize) -> usize {
+    fn try_guesses(
+        &mut self,
+        block: &Block<F, impl Measurements>,
+        guesses: impl Iterator<Item = Estimate>,
+        first: usize,
+    ) -> usize {
         let mut best = (self.best.estimate, f64::INFINITY);
         let mut others = 0;
-        for guess in (0..).map_while(|number| guesses.get(number)) {
+        for guess in guesses {
             self.start_from(&guess);
             self.converge(block, first);
             self.converge(block, PART_FACTOR * first);
@@ -56,9 +61,7 @@ impl<F: Real> Solver<'_, F> {
                 best = (*estimate, cost);
             }
         }
-        if guesses.get(1).is_some() {
-            self.start_from(&best.0);
-        }
+        self.start_from(&best.0);
         others
     }
 }

@@ -15,10 +15,9 @@ use crate::sensors::{Measurement, Measurements, Residual, Sensor};
 use crate::square_root::{MAX_UNKNOWNS, SquareRoot};
 use toytop::scalar::Real;
 
-/// Unknowns and sensors of a fit, and its estimates.
+/// Unknowns of a fit, and its estimates.
 #[derive(Clone)]
-pub(super) struct Solver<'a, F> {
-    pub(super) sensors: &'a [&'a dyn Sensor<F>],
+pub(super) struct Solver<F> {
     pub(super) model: Model,
     /// Largest residual that counts quadratically, in standard deviations.
     pub(super) huber: f64,
@@ -78,14 +77,13 @@ impl<F: Real> Pass<F> {
     }
 }
 
-impl<'a, F: Real> Solver<'a, F> {
+impl<F: Real> Solver<F> {
     /// Solver for the unknowns of a model.
-    pub(super) fn new(sensors: &'a [&'a dyn Sensor<F>], model: Model, huber: f64) -> Self {
+    pub(super) fn new(model: Model, huber: f64) -> Self {
         let prior = model.prior();
         let Prior { estimate, .. } = prior;
         let pass = Pass { estimate, information: SquareRoot::ZERO, statistics: Statistics::default() };
         Self {
-            sensors,
             model,
             huber,
             prior,
@@ -150,13 +148,13 @@ impl<'a, F: Real> Solver<'a, F> {
     /// followed.
     fn pass(&mut self, block: &Block<F, impl Measurements>, count: usize) {
         let prior_squares = self.begin();
-        let Self { sensors, model, huber, current, trajectory, .. } = self;
+        let Self { model, huber, current, trajectory, .. } = self;
         let mut statistics = [Statistics::new(*huber, 0.0); MAX_SENSORS];
         let mut epoch = None;
         for measurement in block.measurements().take(count) {
             let start = *epoch.get_or_insert(measurement.time);
             let added = trajectory.move_to(measurement.time - start).and_then(|()| {
-                let sensor = sensors.get(measurement.sensor)?;
+                let sensor = block.sensors.get(measurement.sensor)?;
                 let statistics = statistics.get_mut(measurement.sensor)?;
                 current.add(*sensor, model, &trajectory.now, &measurement, statistics)
             });

@@ -20,7 +20,7 @@ pub enum FitWarning {
     TooFew,
     /// The top is upright, and no measurement determines its rate about the axis.
     SpinUnknown,
-    /// The measurements contain neither an orientation, nor an axis, nor rates within the range.
+    /// The measurements contain neither two orientations or directions, nor rates within the range.
     NoBeginning,
 }
 
@@ -35,7 +35,7 @@ impl fmt::Display for FitWarning {
             Self::TooFew => "there are fewer observations than unknowns",
             Self::SpinUnknown => "the top stands upright, and nothing tells its rate about the axis",
             Self::NoBeginning => {
-                "the measurements do not say where to begin: they need an orientation, an axis, or rates within the range"
+                "the measurements do not say where to begin: they need orientations, directions, or rates within the range"
             }
         })
     }

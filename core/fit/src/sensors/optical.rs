@@ -2,7 +2,7 @@
 
 use crate::sensitivity::Partials;
 use crate::sensors::{Hint, Noise, Residual, Sensor, Values, first_three};
-use crate::vector::{Vector, add_scaled, cast, cross, rotation_vector, unit};
+use crate::vector::{UP, Vector, add_scaled, cast, cross, rotation_vector, unit};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{Complex, Phase};
@@ -72,7 +72,7 @@ impl<F: Real> Sensor<F> for AxisCamera {
     }
 
     fn hint(&self, values: &Values) -> Hint {
-        unit(first_three(values)).map_or(Hint::None, Hint::Axis)
+        unit(first_three(values)).map_or(Hint::None, |fixed| Hint::Direction { fixed, body: UP })
     }
 }
 
