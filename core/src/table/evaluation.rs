@@ -4,11 +4,11 @@
 //! are tabulated, the angular velocity Ω = Φ⁻¹Φ' in the body frame has the transverse part
 //!
 //! ```text
-//! Ω₁ + iΩ₂ = -2i (ᾱβ' - βᾱ') = -2i e^{i(Λ_β-Λ_α)} N,    N = x' (ā db/dx - b dā/dx) + i (Λ_α' + Λ_β') ā b
+//! Ω₁ + iΩ₂ = -2i N,    N = ᾱβ' - βᾱ' = x' (ᾱ db/dx e^{iΛ_β} - β (da/dx e^{iΛ_α})*) + i (Λ_α' + Λ_β') ᾱβ
 //! ```
 //!
-//! Where u falls, a and b become their complex conjugates, and N becomes -N̄. The axial part Ω₃ = (n - K)/C is constant. Ω is computed in floating
-//! point: rates can be of any size.
+//! Where u falls, a, b and their derivatives become their complex conjugates, and x' is negative. The axial part Ω₃ = (n - K)/C is constant. Ω is
+//! computed in floating point: rates can be of any size.
 //!
 //! | scalar | coefficient | sum of Horner's rule | number of α and β |
 //! |---|---|---|---|
@@ -154,12 +154,8 @@ pub trait Coefficient: Copy + Debug + PartialEq {
         is_falling: bool,
         sine_cosine: [Self::Sum; 2],
     ) -> Complex<Self::Number>;
-    /// Number e^{i(Λ_β-Λ_α)}, from the sines and cosines of Λ_α and Λ_β.
-    fn cis_of_difference(sines_cosines: [[Self::Sum; 2]; 2]) -> Complex<Self::Quantity>;
-    /// Number of an orientation.
+    /// Rotated number as a length or rate.
     fn number(number: Self::Number) -> Self::Quantity;
-    /// Value of a polynomial or of its derivative.
-    fn value(sum: Self::Sum) -> Self::Quantity;
 }
 
 /// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
@@ -186,19 +182,19 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     mean_phases: [u64; 2],
     [x, mean, axial]: [R::Quantity; 3],
 ) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
-    let [sines_a, sines_b] = mean_phases.map(R::sine_cosine_sums);
-    let [values, slopes] = polynomials::<R::Coefficient, true>(rows, point);
-    let [re_a, im_a, re_b, im_b] = values;
-    let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, sines_a);
-    let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, sines_b);
-    let [a, b] = complex_pair(values.map(R::Coefficient::value));
-    let [a_slope, b_slope] = complex_pair(slopes.map(R::Coefficient::value));
-    let x = x * R::Quantity::from_f64((1_u32 << point.halvings) as f64);
-    let change = (a.conj() * b_slope - b * a_slope.conj()).scaled(x);
-    let n = change + (a.conj() * b).times_i().scaled(mean);
-    let n = if point.is_falling { -n.conj() } else { n };
-    let n = n * R::Coefficient::cis_of_difference([sines_a, sines_b]);
-    (Orientation { alpha, beta }, [n.im.doubled(), -n.re.doubled(), axial])
+    let [a, b] = mean_phases.map(R::sine_cosine_sums);
+    let rotated = |[re_a, im_a, re_b, im_b]: [_; 4]| Orientation {
+        alpha: R::Coefficient::rotated([re_a, im_a], point.is_falling, a),
+        beta: R::Coefficient::rotated([re_b, im_b], point.is_falling, b),
+    };
+    let [orientation, slopes] = polynomials::<R::Coefficient, true>(rows, point).map(rotated);
+    let [Orientation { alpha, beta }, slopes] =
+        [orientation, slopes].map(|pair| pair.map(R::Coefficient::number));
+    // towards u = e₂ while u rises, and back while it falls
+    let x = if point.is_falling { -x } else { x } * R::Quantity::from_f64((1_u32 << point.halvings) as f64);
+    let change = (alpha.conj() * slopes.beta - beta * slopes.alpha.conj()).scaled(x);
+    let n = change + (alpha.conj() * beta).times_i().scaled(mean);
+    (orientation, [n.im.doubled(), -n.re.doubled(), axial])
 }
 
 /// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients. The derivatives have a scale of their own.

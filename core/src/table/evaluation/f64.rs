@@ -70,18 +70,8 @@ impl Coefficient for f64 {
         Complex::new(re, if is_falling { -im } else { im }) * Complex::new(cosine, sine)
     }
 
-    #[inline(always)]
-    fn cis_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[f64; 2]; 2]) -> Complex<f64> {
-        Complex::new(cosine_a, sine_a).conj() * Complex::new(cosine_b, sine_b)
-    }
-
     #[inline]
     fn number(number: f64) -> f64 {
         number
-    }
-
-    #[inline]
-    fn value(sum: f64) -> f64 {
-        sum
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::complex::Complex;
 use crate::integer::shifted_right;
-use crate::scalar::{Q14, Q30, Wide, coarse_sine_cosine_q30};
+use crate::scalar::{Q14, Wide, coarse_sine_cosine_q30};
 use crate::table::evaluation::i32::{COORDINATE_ERROR, ERRORS_Q30};
 use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_BITS, TableScalar, TickErrors, range};
 use fixed::{Wrapping, types::I2F14};
@@ -23,7 +23,7 @@ impl TableScalar for I2F14 {
     const ERRORS: TickErrors = TickErrors {
         orientation: 16.83 * UNIT_Q15 + 2.6e-5,
         coordinate: 0.5 * UNIT_Q15 + COORDINATE_ERROR,
-        omega: 4.4 * UNIT_Q15,
+        omega: 12.4 * UNIT_Q15,
         ..ERRORS_Q30
     };
 
@@ -94,18 +94,7 @@ impl Coefficient for i16 {
     }
 
     #[inline(always)]
-    fn cis_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> Complex<f32> {
-        Complex::new(Q30(cosine_a * cosine_b + sine_a * sine_b), Q30(cosine_a * sine_b - sine_a * cosine_b))
-            .map(Into::into)
-    }
-
-    #[inline(always)]
     fn number(Wrapping(number): Q14) -> f32 {
         number.into()
-    }
-
-    #[inline(always)]
-    fn value(sum: i32) -> f32 {
-        i32::value(sum)
     }
 }

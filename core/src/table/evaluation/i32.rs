@@ -19,7 +19,7 @@ pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
 pub(super) const ERRORS_Q30: TickErrors = TickErrors {
     orientation: (15.2 + 2.83 * 1.23) * UNIT_Q30,
     coordinate: COORDINATE_ERROR,
-    omega: 16.0 * UNIT_Q30,
+    omega: 22.0 * UNIT_Q30,
     relative_omega: 21.0 * f32::ROUNDING,
 };
 
@@ -127,22 +127,8 @@ impl Coefficient for i32 {
     }
 
     #[inline(always)]
-    fn cis_of_difference([[sine_a, cosine_a], [sine_b, cosine_b]]: [[i32; 2]; 2]) -> Complex<f32> {
-        Complex::new(
-            Q30(high_product(cosine_a, cosine_b) + high_product(sine_a, sine_b)),
-            Q30(high_product(cosine_a, sine_b) - high_product(sine_a, cosine_b)),
-        )
-        .map(Into::into)
-    }
-
-    #[inline(always)]
     fn number(number: Q30) -> f32 {
         number.into()
-    }
-
-    #[inline(always)]
-    fn value(sum: i32) -> f32 {
-        Q30(sum >> 1).into()
     }
 }
 

@@ -45,21 +45,20 @@ static inline void toytop_turn_f64(double re, double im, const double by[2], dou
     turned[1] = toytop_inner_double(re, by[0], im, by[1]);
 }
 
-/* Parameters alpha and beta, and sine and cosine of A and of B. */
-static inline void toytop_alpha_beta_f64(const toytop_sums_f64 *sums, const toytop_cursor *at, double four[4], double of[2][2]) {
-    int falling = (int)(at->phase[0].leading >> 63);
+/* Re a, Im a, Re b and Im b, or their derivatives, rotated by the mean phases: for values, alpha and beta. */
+static inline void toytop_turned_f64(const double number[4], const toytop_cursor *at, double turned[4]) {
     for (int i = 0; i < 2; i++) {
-        double re = sums->value[2 * i], im = sums->value[2 * i + 1];
-        toytop_sincos_f64(at->phase[i + 1].leading, of[i]);
-        toytop_turn_f64(re, falling ? -im : im, of[i], four + 2 * i);
+        double im = number[2 * i + 1], of[2];
+        toytop_sincos_f64(at->phase[i + 1].leading, of);
+        toytop_turn_f64(number[2 * i], at->phase[0].leading >> 63 ? -im : im, of, turned + 2 * i);
     }
 }
 
 static inline toytop_sample_f64 toytop_sample_of_f64(const toytop_f64 *table, const toytop_cursor *at) {
     toytop_sample_f64 m;
-    double four[4], of[2][2];
+    double four[4];
     toytop_sums_f64 sums = toytop_sums_at_f64(table, at->phase[0].leading, 0);
-    toytop_alpha_beta_f64(&sums, at, four, of);
+    toytop_turned_f64(sums.value, at, four);
     for (int i = 0; i < 2; i++) m.alpha[i] = four[i], m.beta[i] = four[i + 2];
     m.u = toytop_inner_double(m.alpha[0] + m.beta[0], m.alpha[0] - m.beta[0], m.alpha[1] + m.beta[1], m.alpha[1] - m.beta[1]);
     m.c[0] = toytop_inner_double(m.alpha[0], m.beta[0], -m.alpha[1], m.beta[1]) * table->scales[0];
@@ -70,11 +69,10 @@ static inline toytop_sample_f64 toytop_sample_of_f64(const toytop_f64 *table, co
 /* Parameters alpha and beta, and the angular velocity in the body frame. */
 static inline void toytop_rates_at_f64(const toytop_f64 *table, const toytop_cursor *at, double four[4], double omega[3]) {
     toytop_sums_f64 sums = toytop_sums_at_f64(table, at->phase[0].leading, 1);
-    double of[2][2], turn[2];
-    toytop_alpha_beta_f64(&sums, at, four, of);
-    turn[0] = toytop_inner_double(of[0][1], of[1][1], of[0][0], of[1][0]);
-    turn[1] = toytop_inner_double(of[0][1], of[1][0], -of[0][0], of[1][1]);
-    toytop_body_rates_double(sums.value, sums.slope, sums.depth, (int)(at->phase[0].leading >> 63), turn, table->scales, omega);
+    double slope[4];
+    toytop_turned_f64(sums.value, at, four);
+    toytop_turned_f64(sums.slope, at, slope);
+    toytop_body_rates_double(four, slope, sums.depth, (int)(at->phase[0].leading >> 63), table->scales, omega);
 }
 
 TOYTOP_OMEGA(f64, double)

@@ -38,9 +38,7 @@ static inline toytop_sums toytop_sums_at_q15(const toytop_clock *clock, const in
     return sums;
 }
 
-static inline int32_t toytop_whole(int32_t a, int32_t b) { return a * b; }
-
-TOYTOP_INTEGER_FUNCTIONS(q15, toytop_sums_at_q15, toytop_turn_q15, toytop_whole, 1.0f / 16384.0f)
+TOYTOP_INTEGER_FUNCTIONS(q15, toytop_sums_at_q15, toytop_turn_q15, 1.0f / 16384.0f)
 
 static inline toytop_sample_q15 toytop_sample_of_q15(const toytop_q15 *table, const toytop_cursor *at) {
     toytop_sample_q15 m;

@@ -34,18 +34,17 @@
     } \
     /* Sum a b + c d, with a barrier after each product. */ \
     static inline F toytop_inner_##F(F a, F b, F c, F d) { return toytop_rounded_##F(a * b) + toytop_rounded_##F(c * d); } \
-    /* Angular velocity in the body frame from the polynomials, and from cosine and sine of the mean phase of beta minus that of alpha. */ \
-    static inline void toytop_body_rates_##F(const F value[4], const F slope[4], uint32_t depth, int falling, const F turn[2], \
-                                             const F scales[4], F omega[3]) { \
-        const F *a = value, *b = value + 2, *da = slope, *db = slope + 2; \
-        F n[2], scale = scales[1] * (F)(UINT32_C(1) << (depth - 3)), mean = scales[2]; \
+    /* Angular velocity in the body frame from a and b and their derivatives, all rotated: the real and imaginary part of each. */ \
+    static inline void toytop_body_rates_##F(const F four[4], const F slope[4], uint32_t depth, int falling, const F scales[4], \
+                                             F omega[3]) { \
+        const F *a = four, *b = four + 2, *da = slope, *db = slope + 2; \
+        F n[2], x = (falling ? -scales[1] : scales[1]) * (F)(UINT32_C(1) << (depth - 3)), mean = scales[2]; \
         n[0] = toytop_inner_##F(a[0], db[0], a[1], db[1]) - toytop_inner_##F(b[0], da[0], b[1], da[1]); \
         n[1] = toytop_inner_##F(a[0], db[1], -a[1], db[0]) - toytop_inner_##F(b[0], -da[1], b[1], da[0]); \
-        n[0] = toytop_rounded_##F(n[0] * scale) - toytop_rounded_##F(toytop_inner_##F(a[0], b[1], -a[1], b[0]) * mean); \
-        n[1] = toytop_rounded_##F(n[1] * scale) + toytop_rounded_##F(toytop_inner_##F(a[0], b[0], a[1], b[1]) * mean); \
-        if (falling) n[0] = -n[0]; \
-        omega[0] = toytop_inner_##F(n[0], turn[1], n[1], turn[0]) * 2; \
-        omega[1] = -toytop_inner_##F(n[0], turn[0], -n[1], turn[1]) * 2; \
+        n[0] = toytop_rounded_##F(n[0] * x) - toytop_rounded_##F(toytop_inner_##F(a[0], b[1], -a[1], b[0]) * mean); \
+        n[1] = toytop_rounded_##F(n[1] * x) + toytop_rounded_##F(toytop_inner_##F(a[0], b[0], a[1], b[1]) * mean); \
+        omega[0] = n[1] * 2; \
+        omega[1] = -n[0] * 2; \
         omega[2] = scales[3]; \
     } \
     /* Fixed coordinates of a vector in body coordinates; four: Re alpha, Im alpha, Re beta, Im beta. */ \
