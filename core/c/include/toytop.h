@@ -187,8 +187,8 @@ typedef struct toytop_motion {
   uint64_t opaque[128];
 } toytop_motion;
 
-// Function of the program that a launch or a set-up calls at least every 90 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+): to feed
-// a watchdog, or to read another table. Null for none.
+// Function of the program that a launch or a set-up calls at least every 50 000 cycles of a Cortex-M4F (80 000 in `f64`, 200 000 of a
+// Cortex-M0+): to feed a watchdog, or to read another table. Null for none.
 typedef void (*toytop_pause)(void *context);
 
 // Constants of a motion, by the paper's symbols.

@@ -68,8 +68,8 @@ pub struct toytop_constants {
     pub lift_off_tilt: f64,
 }
 
-/// Function of the program that a launch or a set-up calls at least every 90 000 cycles of a Cortex-M4F (200 000 of a Cortex-M0+): to feed
-/// a watchdog, or to read another table. Null for none.
+/// Function of the program that a launch or a set-up calls at least every 50 000 cycles of a Cortex-M4F (80 000 in `f64`, 200 000 of a
+/// Cortex-M0+): to feed a watchdog, or to read another table. Null for none.
 pub type toytop_pause = Option<unsafe extern "C" fn(context: *mut c_void)>;
 
 /// Call of a pause, if there is one.

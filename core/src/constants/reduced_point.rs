@@ -41,14 +41,18 @@ impl ReducedPoint {
 impl FirstIntegrals {
     /// First integrals of a state. Error: one `f64` rounding of the result.
     pub fn from_state(top: &Top, state: &State) -> Self {
-        FirstIntegrals::from_state_with_point(top, state).0.map(Float::to_f64)
+        FirstIntegrals::from_state_with_point(top, state, &mut || {}).0.map(Float::to_f64)
     }
 }
 
 impl FirstIntegrals<Extended> {
     /// First integrals in extended precision, and the point of the reduced curve.
     #[inline(never)]
-    pub(crate) fn from_state_with_point(top: &Top, state: &State) -> (Self, ReducedPoint) {
+    pub(crate) fn from_state_with_point(
+        top: &Top,
+        state: &State,
+        pause: &mut dyn FnMut(),
+    ) -> (Self, ReducedPoint) {
         let Top { a, c, s, p, g, k, .. } = *top;
         let unit = top.weight_or_one();
         let (phi, omega) = state.to_extended();
@@ -59,7 +63,7 @@ impl FirstIntegrals<Extended> {
         let r = phi.axis().map(|component| component / norm);
         let [r1, r2, u] = r;
         let [w1, w2, _] = omega;
-
+        pause();
         let spin = dot(omega, r);
         let n = c * spin + k;
         let udot = w1 * r2 - w2 * r1;

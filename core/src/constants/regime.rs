@@ -1,7 +1,7 @@
 //! Kind of a motion and of its tip curve (paper, section 4.2).
 //!
 //! A state of a regular precession that is rounded to `f64` nutates, mostly by less than 2^-49 rad. Its regime is that of the precession
-//! (`nutates_visibly`), but its motion is computed with the nutation (`is_steady`): without it the error would be up to 7e-13 rad for
+//! (`nutates_beyond_rounding`), but its motion is computed with the nutation (`is_steady`): without it the error would be up to 7e-13 rad for
 //! A/(ps) = 1e-5.
 
 use crate::constants::{BranchPoints, Signs};
@@ -33,7 +33,7 @@ impl Regime {
     /// Regime of branch points; `upright` tells whether a motion with e₂ = e₃ = 1 has u = 1.
     pub(crate) fn new(e: &BranchPoints<Extended>, signs: Signs, upright: bool) -> Self {
         let zero = Extended::ZERO;
-        if !nutates_visibly(e) {
+        if !nutates_beyond_rounding(e) {
             if e.one_minus_e2 == zero {
                 Self::SleepingStable
             } else if e.one_plus_e1 == zero {
@@ -67,8 +67,8 @@ pub(crate) fn is_steady(e: &BranchPoints<Extended>, regime: Regime) -> bool {
 }
 
 /// Whether the nutation is larger than the rounding of a state, or passes through the vertical.
-fn nutates_visibly(e: &BranchPoints<Extended>) -> bool {
-    /// Least visible change of the tilt, rad: 2^-49.
+fn nutates_beyond_rounding(e: &BranchPoints<Extended>) -> bool {
+    /// Least change of the tilt beyond the rounding of a state, rad: 2^-49.
     const MIN_SWING: f64 = 1.0 / (1_u64 << 49) as f64;
     let zero = Extended::ZERO;
     let passes_vertical = e.one_minus_e2 == zero || e.one_plus_e1 == zero;

@@ -36,8 +36,7 @@ impl Motion {
 
     /// Motion from a state, with pauses for other work.
     ///
-    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F in a build for speed, every 90 000 in one for size, and every 200 000
-    ///   of a Cortex-M0+
+    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F, and every 200 000 of a Cortex-M0+
     ///
     /// ```
     /// use toytop::{Motion, Release, State, Top, TopParameters};
@@ -57,7 +56,7 @@ impl Motion {
         state: &State,
         pause: &mut dyn FnMut(),
     ) -> Result<Self, ParameterError> {
-        let (integrals, point) = FirstIntegrals::from_state_with_point(top, state);
+        let (integrals, point) = FirstIntegrals::from_state_with_point(top, state, pause);
         pause();
         let e = BranchPoints::from_reduced_point(top, &integrals, &point, pause);
         // by reference: a copy takes 280 bytes of stack
@@ -74,6 +73,7 @@ impl Motion {
         let ellipses = ellipses_of(e, signs, half_phase, regime);
         pause();
         let at_start = orientation_and_rate(state);
+        pause();
         let slow_phases = match half_phase {
             None => [at_start.orientation.alpha, at_start.orientation.beta].map(argument),
             Some(chi) => {

@@ -108,7 +108,9 @@ impl<'a, F: Float> TrapezoidRule<'a, F> {
 
     fn integrands_at(&mut self, angle: [F; 2]) -> [F; 3] {
         (self.pause)();
-        self.equations.at(&self.landen.fractions_at_angle(angle))
+        let fractions = self.landen.fractions_at_angle(angle);
+        (self.pause)();
+        self.equations.at(&fractions)
     }
 
     /// Changes of the time and of ψ_α and ψ_β, relative to the time and to |ψ_α| + |ψ_β|.

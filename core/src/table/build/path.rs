@@ -248,6 +248,7 @@ impl<'a, F: Float> Path<'a, F> {
         let PathEquations { equations, duration, .. } = &self.equations;
         let [chi_rate, alpha, beta, residual_alpha, residual_beta] =
             self.equations.rates(sine, cosine).map(|rate| unit * rate);
+        (self.pause)();
         let origin = ExpansionPoint {
             phases: from.phases,
             sine,

@@ -119,7 +119,7 @@ fn tabulate<R: TableScalar>(
 impl<R: TableScalar> TableMemory<Table<R>> {
     /// Sets up the table of a motion, with these settings, or with those of [`TableSettings::new`] for a tick.
     ///
-    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (90 000 if compiled for size, 200 000 of a Cortex-M0+)
+    /// * `pause`: called at least every 50 000 cycles of a Cortex-M4F (80 000 in `f64` compiled for size), and every 200 000 of a Cortex-M0+
     ///
     /// # Errors
     /// [`SetUpError`]; the memory then contains no table.
