@@ -5,7 +5,7 @@
 // Modules in the order of dependence: each one uses only those above it.
 //
 // `#[inline(never)]` keeps a frame off the stack of the caller, or code in flash only once. `#[inline(always)]` marks the path of a tick,
-// where a call costs more than most of the functions.
+// where a call costs more than most of the functions, and parts of a set-up whose frames would add up on the stack.
 
 // Numbers.
 mod integer;

@@ -211,7 +211,7 @@ typedef struct toytop_constants {
   double period;
   // Least force of the plane over the weight; NaN for a fixed tip or a free body. Below 0 a real top would leave the plane.
   double min_normal_force;
-  // Tilt at which the normal force changes its sign, rad; NaN where it never does. `toytop_f64_crossings` of it are the lift-offs.
+  // Tilt at which the normal force changes its sign, rad; NaN where it never does. Crossings of it, in any scalar, are the lift-offs.
   double lift_off_tilt;
 } toytop_constants;
 

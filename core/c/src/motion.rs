@@ -64,7 +64,7 @@ pub struct toytop_constants {
     pub period: f64,
     /// Least force of the plane over the weight; NaN for a fixed tip or a free body. Below 0 a real top would leave the plane.
     pub min_normal_force: f64,
-    /// Tilt at which the normal force changes its sign, rad; NaN where it never does. `toytop_f64_crossings` of it are the lift-offs.
+    /// Tilt at which the normal force changes its sign, rad; NaN where it never does. Crossings of it, in any scalar, are the lift-offs.
     pub lift_off_tilt: f64,
 }
 

@@ -46,7 +46,7 @@ pub use warning::FitWarning;
 
 /// Fit of a launch to measurements.
 ///
-/// The unknowns are the launch, the free ratios, and the constant biases of the sensors. The scalar `f32` suffices for sensors whose noise
+/// The unknowns are the launch, the free ratios, the constant biases of the sensors, and the losses of rotation. The scalar `f32` suffices for sensors whose noise
 /// is at least 1e-4 of their readings; the fit then keeps 5.4 KB, whatever the number of measurements, and takes
 /// 12 KB of stack.
 #[derive(Clone)]

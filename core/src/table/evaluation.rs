@@ -197,7 +197,7 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     (orientation, [n.im.doubled(), -n.re.doubled(), axial])
 }
 
-/// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients. The derivatives have a scale of their own.
+/// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients: in units of 2^-31, and of 1 in `f64`.
 pub(crate) fn tabulated_a_b<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,

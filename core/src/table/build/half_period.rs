@@ -59,7 +59,7 @@ impl HalfPeriod {
 
     /// Computes the segments and stores them; `None` as soon as they cannot fit.
     ///
-    /// * `segments`: memory of the segments; a segment without a place overwrites the last one, so that one place is enough to count them
+    /// * `segments`: memory of the segments; a segment beyond it overwrites the last place. To count the segments, one place is enough
     /// * `capacity`: greatest number of segments
     pub(super) fn compute<R: TableScalar>(
         &mut self,

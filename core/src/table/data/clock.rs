@@ -16,7 +16,7 @@ use crate::table::data::step::Step;
 /// | tip angle | `tip_start`, `tip_step`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
 ///
-/// `tip_step`, `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored, so that a reader needs no division.
+/// `tip_step`, `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored, so that a reader need not compute them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {

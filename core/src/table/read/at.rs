@@ -16,7 +16,7 @@ impl<R: TableScalar> Table<R> {
 
     /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite. With an epoch, t = 0 is not the launch.
     ///
-    /// * Resolution: 2^-96 ticks.
+    /// * Resolution: 2^-96 ticks. Beyond 2^96 ticks no digit of the orientation is correct.
     /// * It has the bits of [`Table::at_tick`] where t times the tick rate is exactly a whole number, and the rate a multiple of 1/2.
     #[inline(always)]
     #[must_use]

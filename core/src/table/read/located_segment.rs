@@ -4,7 +4,7 @@ use crate::table::data::Table;
 use crate::table::data::cell::{Cell, MIN_DEPTH};
 use crate::table::evaluation::{SegmentPoint, TableScalar};
 
-/// Segment of a nutation phase, and the point of it. As a tuple it would cost a tick six cycles.
+/// Segment of a nutation phase, and the point of it.
 pub(super) struct LocatedSegment<'a, R: TableScalar> {
     pub(super) rows: &'a [[R::Coefficient; 4]],
     pub(super) number: usize,

@@ -1,7 +1,7 @@
 //! Expansion of the motion around a point of its path, in y = x/4. One unit of x is half a span.
 //!
-//! In a series that converges within sixteen terms, the coefficients of x^k decrease at least about fourfold. Those of y^k then do not grow, and one
-//! exponent serves all. Index 0: at the point. v and the Greek letters: power series in y.
+//! In a series that converges within sixteen terms, a coefficient of x^k is at most about a quarter of the one before. As y = x/4, the coefficients
+//! of y^k then do not grow, and one exponent fits all. Index 0: at the point. v and the Greek letters: power series in y.
 //!
 //! ```text
 //! v = cos²χ - cos²χ₀

@@ -12,7 +12,7 @@ pub(super) const MAX_TERMS: usize = 16;
 /// Bits of a coefficient of the expected magnitude. One may be four times as large.
 pub(super) const BITS: i32 = 56;
 
-/// Result of a sum that is too large; its bitwise complement if the sum is too small. Neither is in the range of a coefficient.
+/// Result of a sum above the range of a coefficient; for a sum below it, the result is `!OUT_OF_RANGE`.
 const OUT_OF_RANGE: i64 = 1 << (BITS + 3);
 
 /// Least shift of a sum in range.
