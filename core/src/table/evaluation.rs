@@ -154,6 +154,15 @@ pub trait Coefficient: Copy + Debug + PartialEq {
         is_falling: bool,
         sine_cosine: [Self::Sum; 2],
     ) -> Complex<Self::Number>;
+    /// The same, for the angular velocity.
+    #[inline(always)]
+    fn rotated_quantity(
+        number: [Self::Sum; 2],
+        is_falling: bool,
+        sine_cosine: [Self::Sum; 2],
+    ) -> Complex<Self::Quantity> {
+        Self::rotated(number, is_falling, sine_cosine).map(Self::number)
+    }
     /// Rotated number as a length or rate.
     fn number(number: Self::Number) -> Self::Quantity;
 }
@@ -183,16 +192,21 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     [x, mean, axial]: [R::Quantity; 3],
 ) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
     let [a, b] = mean_phases.map(R::sine_cosine_sums);
-    let rotated = |[re_a, im_a, re_b, im_b]: [_; 4]| Orientation {
+    let polynomials = polynomials::<R::Coefficient, true>(rows, point);
+    let [[re_a, im_a, re_b, im_b], _] = polynomials;
+    let orientation = Orientation {
         alpha: R::Coefficient::rotated([re_a, im_a], point.is_falling, a),
         beta: R::Coefficient::rotated([re_b, im_b], point.is_falling, b),
     };
-    let [orientation, slopes] = polynomials::<R::Coefficient, true>(rows, point).map(rotated);
-    let [Orientation { alpha, beta }, slopes] =
-        [orientation, slopes].map(|pair| pair.map(R::Coefficient::number));
+    let [[alpha, beta], [alpha_slope, beta_slope]] = polynomials.map(|[re_a, im_a, re_b, im_b]| {
+        [
+            R::Coefficient::rotated_quantity([re_a, im_a], point.is_falling, a),
+            R::Coefficient::rotated_quantity([re_b, im_b], point.is_falling, b),
+        ]
+    });
     // towards u = e₂ while u rises, and back while it falls
     let x = if point.is_falling { -x } else { x } * R::Quantity::from_f64((1_u32 << point.halvings) as f64);
-    let change = (alpha.conj() * slopes.beta - beta * slopes.alpha.conj()).scaled(x);
+    let change = (alpha.conj() * beta_slope - beta * alpha_slope.conj()).scaled(x);
     let n = change + (alpha.conj() * beta).times_i().scaled(mean);
     (orientation, [n.im.doubled(), -n.re.doubled(), axial])
 }

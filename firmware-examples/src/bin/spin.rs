@@ -10,8 +10,8 @@ use cortex_m::{Peripherals, asm, singleton};
 use cortex_m_rt::exception;
 use critical_section::Mutex;
 use toytop::{
-    Complex, Motion, Orientation, ParameterError, Pose, Release, State, Table, TableF32, TableMemory, Tick,
-    Top, TopParameters, Workspace,
+    Complex, Motion, Orientation, ParameterError, Release, State, Table, TableF32, TableMemory, Tick, Top,
+    TopParameters, Workspace,
 };
 use toytop_firmware::{entry, exit};
 

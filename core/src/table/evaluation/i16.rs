@@ -2,7 +2,7 @@
 
 use crate::complex::Complex;
 use crate::integer::shifted_right;
-use crate::scalar::{Q14, Wide, coarse_sine_cosine_q30};
+use crate::scalar::{Q14, Q30, Wide, coarse_sine_cosine_q30};
 use crate::table::evaluation::i32::{COORDINATE_ERROR, ERRORS_Q30};
 use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_BITS, TableScalar, TickErrors, range};
 use fixed::{Wrapping, types::I2F14};
@@ -23,7 +23,7 @@ impl TableScalar for I2F14 {
     const ERRORS: TickErrors = TickErrors {
         orientation: 16.83 * UNIT_Q15 + 2.6e-5,
         coordinate: 0.5 * UNIT_Q15 + COORDINATE_ERROR,
-        omega: 12.4 * UNIT_Q15,
+        omega: 4.4 * UNIT_Q15,
         ..ERRORS_Q30
     };
 
@@ -91,6 +91,14 @@ impl Coefficient for i16 {
         let [re, im] = [re, im ^ -i32::from(is_falling)].map(|part| part >> 16);
         let rounded = |part: i32| Wrapping(I2F14::from_bits(((part + (1 << 15)) >> 16) as i16));
         Complex::new(rounded(re * cosine - im * sine), rounded(re * sine + im * cosine))
+    }
+
+    /// Result from all 32 bits of the number.
+    #[inline(always)]
+    fn rotated_quantity([re, im]: [i32; 2], is_falling: bool, sine_cosine: [i32; 2]) -> Complex<f32> {
+        let [re, im] = [re, im ^ -i32::from(is_falling)].map(|part| Q30(part >> 1).into());
+        let [sine, cosine] = sine_cosine.map(|part| Q30(part << 15).into());
+        Complex::new(re, im) * Complex::new(cosine, sine)
     }
 
     #[inline(always)]

@@ -78,9 +78,19 @@ static inline int32_t toytop_minus_q31(int32_t a, int32_t b, int32_t c, int32_t 
 
 TOYTOP_RATES(float)
 
-/* Parameters and angular velocity of the scalar S. SUMS_AT and TURN: functions of its sums and of the rotation; UNIT: unit of its
- * parameters. */
-#define TOYTOP_INTEGER_FUNCTIONS(S, SUMS_AT, TURN, UNIT) \
+/* Unit of the parameters in 32 bits, 2^-30. */
+#define TOYTOP_UNIT (1.0f / 1073741824.0f)
+
+/* Rotated number in units of 2^-31 as float. */
+static inline void toytop_turn_float(int32_t re, int32_t im, const int32_t by[2], float turned[2]) {
+    int32_t integers[2];
+    toytop_turn(re, im, by, integers);
+    for (int i = 0; i < 2; i++) turned[i] = (float)integers[i] * TOYTOP_UNIT;
+}
+
+/* Parameters and angular velocity of the scalar S. SUMS_AT: function of its sums; TURN and FLOAT_TURN: rotations, to integers in
+ * units of UNIT and to float. */
+#define TOYTOP_INTEGER_FUNCTIONS(S, SUMS_AT, TURN, FLOAT_TURN, UNIT) \
     /* Sums of the table, and Re alpha, Im alpha, Re beta and Im beta, and sine and cosine of the mean phases. */ \
     static inline toytop_sums toytop_parameters_##S(const toytop_##S *table, const toytop_cursor *at, int slopes, int32_t four[4], \
                                                     int32_t of[2][2]) { \
@@ -95,23 +105,21 @@ TOYTOP_RATES(float)
     } \
     /* Parameters, and the angular velocity in the body frame. */ \
     static inline void toytop_rates_at_##S(const toytop_##S *table, const toytop_cursor *at, float four[4], float omega[3]) { \
-        int32_t parameters[4], slopes[4], of[2][2], falling = (int32_t)(at->phase[0].leading >> 63); \
-        float slope[4]; \
+        int32_t parameters[4], of[2][2], falling = (int32_t)(at->phase[0].leading >> 63); \
+        float value[4], slope[4]; \
         toytop_sums sums = toytop_parameters_##S(table, at, 1, parameters, of); \
         for (int i = 0; i < 2; i++) { \
-            int32_t re = sums.slope[2 * i], im = sums.slope[2 * i + 1]; \
-            TURN(re, falling ? ~im : im, of[i], slopes + 2 * i); \
+            int32_t im = sums.value[2 * i + 1], im_slope = sums.slope[2 * i + 1]; \
+            FLOAT_TURN(sums.value[2 * i], falling ? ~im : im, of[i], value + 2 * i); \
+            FLOAT_TURN(sums.slope[2 * i], falling ? ~im_slope : im_slope, of[i], slope + 2 * i); \
         } \
-        for (int i = 0; i < 4; i++) four[i] = (float)parameters[i] * UNIT, slope[i] = (float)slopes[i] * UNIT; \
-        toytop_body_rates_float(four, slope, sums.depth, falling, table->scales, omega); \
+        for (int i = 0; i < 4; i++) four[i] = (float)parameters[i] * UNIT; \
+        toytop_body_rates_float(value, slope, sums.depth, falling, table->scales, omega); \
     } \
     TOYTOP_OMEGA(S, float)
 
-/* Unit of the parameters in 32 bits, 2^-30. */
-#define TOYTOP_UNIT (1.0f / 1073741824.0f)
-
-TOYTOP_INTEGER_FUNCTIONS(f32, toytop_sums_at, toytop_turn, TOYTOP_UNIT)
-TOYTOP_INTEGER_FUNCTIONS(q31, toytop_sums_at, toytop_turn, TOYTOP_UNIT)
+TOYTOP_INTEGER_FUNCTIONS(f32, toytop_sums_at, toytop_turn, toytop_turn_float, TOYTOP_UNIT)
+TOYTOP_INTEGER_FUNCTIONS(q31, toytop_sums_at, toytop_turn, toytop_turn_float, TOYTOP_UNIT)
 
 static inline toytop_sample_f32 toytop_sample_of_f32(const toytop_f32 *table, const toytop_cursor *at) {
     toytop_sample_f32 m;

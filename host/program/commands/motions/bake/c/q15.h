@@ -19,6 +19,14 @@ static inline void toytop_turn_q15(int32_t re, int32_t im, const int32_t by[2], 
     turned[1] = ((re >> 16) * by[0] + (im >> 16) * by[1] + (1 << 15)) >> 16;
 }
 
+/* Rotated number as float, from all of its bits. */
+static inline void toytop_turn_float_q15(int32_t re, int32_t im, const int32_t by[2], float turned[2]) {
+    float x = (float)(re >> 1) * TOYTOP_UNIT, y = (float)(im >> 1) * TOYTOP_UNIT;
+    float sine = (float)by[0] * (1.0f / 32768.0f), cosine = (float)by[1] * (1.0f / 32768.0f);
+    turned[0] = toytop_inner_float(x, cosine, -y, sine);
+    turned[1] = toytop_inner_float(x, sine, y, cosine);
+}
+
 static inline toytop_sums toytop_sums_at_q15(const toytop_clock *clock, const int16_t (*c)[4], uint64_t nutation, int slopes) {
     toytop_sums sums;
     uint32_t segment, terms = clock->terms;
@@ -38,7 +46,7 @@ static inline toytop_sums toytop_sums_at_q15(const toytop_clock *clock, const in
     return sums;
 }
 
-TOYTOP_INTEGER_FUNCTIONS(q15, toytop_sums_at_q15, toytop_turn_q15, 1.0f / 16384.0f)
+TOYTOP_INTEGER_FUNCTIONS(q15, toytop_sums_at_q15, toytop_turn_q15, toytop_turn_float_q15, 1.0f / 16384.0f)
 
 static inline toytop_sample_q15 toytop_sample_of_q15(const toytop_q15 *table, const toytop_cursor *at) {
     toytop_sample_q15 m;
