@@ -192,18 +192,17 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     [x, mean, axial]: [R::Quantity; 3],
 ) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
     let [a, b] = mean_phases.map(R::sine_cosine_sums);
-    let polynomials = polynomials::<R::Coefficient, true>(rows, point);
-    let [[re_a, im_a, re_b, im_b], _] = polynomials;
+    let [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]] =
+        polynomials::<R::Coefficient, true>(rows, point);
+    let falling = point.is_falling;
     let orientation = Orientation {
-        alpha: R::Coefficient::rotated([re_a, im_a], point.is_falling, a),
-        beta: R::Coefficient::rotated([re_b, im_b], point.is_falling, b),
+        alpha: R::Coefficient::rotated([re_a, im_a], falling, a),
+        beta: R::Coefficient::rotated([re_b, im_b], falling, b),
     };
-    let [[alpha, beta], [alpha_slope, beta_slope]] = polynomials.map(|[re_a, im_a, re_b, im_b]| {
-        [
-            R::Coefficient::rotated_quantity([re_a, im_a], point.is_falling, a),
-            R::Coefficient::rotated_quantity([re_b, im_b], point.is_falling, b),
-        ]
-    });
+    let alpha = R::Coefficient::rotated_quantity([re_a, im_a], falling, a);
+    let beta = R::Coefficient::rotated_quantity([re_b, im_b], falling, b);
+    let alpha_slope = R::Coefficient::rotated_quantity([re_slope_a, im_slope_a], falling, a);
+    let beta_slope = R::Coefficient::rotated_quantity([re_slope_b, im_slope_b], falling, b);
     // towards u = e₂ while u rises, and back while it falls
     let x = if point.is_falling { -x } else { x } * R::Quantity::from_f64((1_u32 << point.halvings) as f64);
     let change = (alpha.conj() * beta_slope - beta * alpha_slope.conj()).scaled(x);
