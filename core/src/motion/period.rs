@@ -32,30 +32,27 @@ impl PeriodAdvance {
     }
 }
 
-/// Nutation period with ψ_α and ψ_β over it, and their errors.
+/// Nutation period with ψ_α and ψ_β over it, and their error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Period {
     pub(crate) time: Extended,
     /// Angles ψ_α(T) and ψ_β(T), rad.
     pub(crate) psi: [Extended; 2],
-    /// Estimated error of the trapezoid rule: the larger of that relative to T and that relative to |ψ_α| + |ψ_β|.
-    pub(crate) relative_error: f64,
-    /// Relative error by roundings.
+    /// Relative error of the time, and error of ψ_α and ψ_β over |ψ_α| + |ψ_β| + π.
     pub(crate) rounding_error: f64,
-    pub(crate) nodes: u32,
 }
 
 impl Period {
     pub(super) fn torque_free(time: Extended) -> Self {
         let rounding_error = Self::rounding_error::<Extended>(0);
-        Self { time, psi: [Extended::ZERO; 2], relative_error: 0.0, rounding_error, nodes: 0 }
+        Self { time, psi: [Extended::ZERO; 2], rounding_error }
     }
 
-    /// Relative error by the roundings of a rate, and of a quadrature with this many nodes.
-    pub(crate) fn rounding_error<F: Float>(nodes: u32) -> f64 {
+    /// Relative error by the roundings of a rate, and of a quadrature with this number of intervals.
+    pub(crate) fn rounding_error<F: Float>(intervals: u32) -> f64 {
         const OPERATIONS: f64 = 64.0;
-        const OPERATIONS_PER_NODE: f64 = 2.0;
-        (OPERATIONS + OPERATIONS_PER_NODE * f64::from(nodes)) * F::OPERATION_ERROR
+        const OPERATIONS_PER_INTERVAL: f64 = 2.0;
+        (OPERATIONS + OPERATIONS_PER_INTERVAL * f64::from(intervals)) * F::OPERATION_ERROR
     }
 
     /// Advances of α and β in turns, whole turns included.

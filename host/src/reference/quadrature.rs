@@ -83,7 +83,7 @@ impl Quadrature {
 
     /// Rates at a time after the launch, which is taken as exact, by central differences of Φ, without a formula of the rates.
     ///
-    /// * `unit`: a time, such as the period, in which the body rotates by less than 10^12 rad
+    /// * `unit`: a time in which the body rotates by less than 10^12 rad, such as a tick of its table
     pub fn rates(&self, t: &Float640, unit: f64) -> Rates {
         /// Half the time between the two orientations, in units of `unit`. The relative error of the rates is below 1e-20.
         const HALF_STEP: f64 = 1.0 / (1_u128 << 80) as f64;

@@ -1,5 +1,6 @@
 //! Descending Landen transformation: Jacobi's functions sn, cn and dn without a transcendental function.
 
+use crate::integer::exponent;
 use crate::scalar::{Extended, Float};
 
 /// Fractions before division: sn² = sn_squared/(sn_squared + cn_squared), cn² likewise, and dn = dn/dn_denominator.
@@ -19,6 +20,8 @@ pub(super) struct Landen<F> {
     scale: F,
     /// Number of steps, from the first, with 1 - k <= 1/8.
     steps_with_large_modulus: usize,
+    /// Complementary modulus k' = √m₁ of the parameter.
+    complementary_modulus: F,
 }
 
 /// Transformation to a modulus k.
@@ -40,7 +43,12 @@ impl<F: Float> Landen<F> {
     /// Sequence without steps.
     pub(super) const EMPTY: Self = {
         let step = LandenStep { complement: F::ZERO, scaled_modulus: F::ZERO };
-        Self { steps: [step; LANDEN_STEPS], scale: F::ONE, steps_with_large_modulus: 0 }
+        Self {
+            steps: [step; LANDEN_STEPS],
+            scale: F::ONE,
+            steps_with_large_modulus: 0,
+            complementary_modulus: F::ONE,
+        }
     };
 
     /// Fills an empty sequence for m and m₁ = 1 - m, each given with full relative precision. It is filled in place, because a sequence that
@@ -49,7 +57,8 @@ impl<F: Float> Landen<F> {
     pub(super) fn fill(&mut self, [m, m1]: [F; 2], pause: &mut dyn FnMut()) {
         // k₁ = (1 - k')/(1 + k') = k²/(1 + k')²,  k₁' = 2 √k'/(1 + k')
         let mut modulus_squared = m;
-        let mut conjugate = m1.sqrt();
+        self.complementary_modulus = m1.sqrt();
+        let mut conjugate = self.complementary_modulus;
         for step in &mut self.steps {
             let inverse_sum = F::ONE / (F::ONE + conjugate);
             let modulus = modulus_squared * inverse_sum.squared();
@@ -68,6 +77,22 @@ impl<F: Float> Landen<F> {
             step.scaled_modulus = modulus * self.scale;
             self.scale = self.scale * (F::ONE + modulus).squared();
         }
+    }
+
+    /// Number N of intervals on half a period for a trapezoid rule with an error below sixteen roundings.
+    ///
+    /// The error of the period and of ψ_α and ψ_β, relative to the period and to |ψ_α| + |ψ_β| + π, was at most 300 q^2N in 40 000 launches of the
+    /// corner study, with the nome q. 1024 q^2N is counted.
+    pub(super) fn intervals(&self) -> u32 {
+        const LEAST: u32 = 2;
+        let is_used = |step: &&LandenStep<F>| step.scaled_modulus > F::ZERO;
+        let Some((number, last)) = (1..).zip(self.steps.iter().take_while(is_used)).last() else {
+            return LEAST;
+        };
+        // q^2N = (k/4)^(4N/2^number) with the last modulus k, which is small; numbers of bits before the leading one
+        let bits_of_modulus = 2 - exponent(last.scaled_modulus.to_f64());
+        let bits = (1024_u32 / 16).ilog2() as i32 + 1 - exponent(F::OPERATION_ERROR);
+        ((bits << number) as u32).div_ceil(4 * bits_of_modulus as u32).max(LEAST)
     }
 
     /// Quarter period K = π/2 ∏ (1 + k).
@@ -98,5 +123,16 @@ impl<F: Float> Landen<F> {
             w = sum.squared();
         }
         JacobiFractions { sn_squared: self.scale * x, cn_squared: y, dn: difference, dn_denominator: sum }
+    }
+
+    /// Functions at K - v from those at v: sn² : cn² becomes cn² : m₁ sn², and dn becomes k'/dn.
+    pub(super) fn at_complement(&self, fractions: &JacobiFractions<F>) -> JacobiFractions<F> {
+        let JacobiFractions { sn_squared, cn_squared, dn, dn_denominator } = *fractions;
+        JacobiFractions {
+            sn_squared: cn_squared,
+            cn_squared: self.complementary_modulus.squared() * sn_squared,
+            dn: self.complementary_modulus * dn_denominator,
+            dn_denominator: dn,
+        }
     }
 }

@@ -1,145 +1,62 @@
-//! Trapezoid rule over a nutation period, in the argument of [`EllipticEquations`]. There its error decreases geometrically with the number of
-//! nodes. The rate of the decrease is estimated from the last two changes.
+//! Trapezoid rule over a nutation period, in the argument v of [`EllipticEquations`].
+//!
+//! The integrands are periodic and analytic near the real axis, so that the error with N intervals on half a period decreases like q^2N, with the
+//! nome q of the elliptic functions. [`Landen::intervals`] finds the N of an error below sixteen roundings. The elliptic functions at K - v follow
+//! from those at v.
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;
 use super::landen::Landen;
 use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::{Float, Ring};
+use crate::scalar::{Extended, Float, Ring};
 
 impl Period {
-    /// Period of a motion that nutates, with an error of the rule below that of its roundings. `pause` is called at each node.
+    /// Period of a motion that nutates. `pause` is called several times at each node.
     #[inline(never)]
     pub(crate) fn integrated<F: Float>(equations: &PhaseEquations<F>, pause: &mut dyn FnMut()) -> Self {
         let elliptic = EllipticEquations::new(equations);
         pause();
         let mut landen = Landen::EMPTY;
         landen.fill(elliptic.parameters, pause);
-        let mut rule = TrapezoidRule::new(&elliptic, &landen, pause);
-        rule.triple_nodes();
-        loop {
-            let error = rule.double_nodes();
-            if rule.nodes >= MAX_NODES || error <= Period::rounding_error::<F>(rule.nodes) {
-                return rule.period(error);
-            }
-        }
+        Self::trapezoid(&elliptic, &landen, landen.intervals(), pause)
     }
-}
 
-/// Last limit of the nodes on half a period, which no launch of the corner study reaches.
-const MAX_NODES: u32 = 1 << 13;
-
-/// Trapezoid sums over half a period.
-struct TrapezoidRule<'a, F> {
-    equations: &'a EllipticEquations<'a, F>,
-    landen: &'a Landen<F>,
-    /// Sums of the integrands of t, ψ_α and ψ_β without factors; the ends count half.
-    sums: [F; 3],
-    nodes: u32,
-    /// Sine and cosine of the angle between two nodes.
-    step: [F; 2],
-    /// Relative changes of the time and of ψ by the last three doublings of the nodes.
-    changes: [[f32; 3]; 2],
-    pause: &'a mut dyn FnMut(),
-}
-
-impl<'a, F: Float> TrapezoidRule<'a, F> {
-    /// Rule with both ends as its only nodes.
+    /// Period by the trapezoid rule with this number of intervals.
     #[inline(never)]
-    fn new(
-        equations: &'a EllipticEquations<'a, F>,
-        landen: &'a Landen<F>,
-        pause: &'a mut dyn FnMut(),
+    fn trapezoid<F: Float>(
+        elliptic: &EllipticEquations<'_, F>,
+        landen: &Landen<F>,
+        intervals: u32,
+        pause: &mut dyn FnMut(),
     ) -> Self {
-        let mut rule = Self {
-            equations,
-            landen,
-            sums: [F::ZERO; 3],
-            nodes: 1,
-            step: [F::ONE, F::ZERO],
-            changes: [[1.0; 3]; 2],
-            pause,
-        };
-        let ends = add(rule.integrands_at([F::ZERO, F::ONE]), rule.integrands_at([F::ONE, F::ZERO]));
-        rule.sums = ends.map(F::halved);
-        rule
-    }
-
-    /// Divides the quarter turn between the ends by three: 3, 6, 12, ... nodes take less time than 2, 4, 8, ... in the costliest set-ups.
-    #[inline(never)]
-    fn triple_nodes(&mut self) {
-        self.step = [F::ONE.halved(), F::from_f64(0.75).sqrt()];
-        self.sums = add(self.sums, self.sum_nodes(2, self.step));
-        self.nodes = 3;
-    }
-
-    /// Halves the distance of the nodes. Returns the estimated relative error.
-    #[inline(never)]
-    fn double_nodes(&mut self) -> f64 {
-        let [sine, cosine] = self.step;
-        let half_cosine = (F::ONE + cosine).halved().sqrt();
-        let half_step = [sine / half_cosine.doubled(), half_cosine];
-        let odd = self.sum_nodes(self.nodes, half_step);
-        let difference = add(odd, self.sums.map(|sum| -sum));
-        self.sums = add(self.sums, odd);
-        (self.nodes, self.step) = (2 * self.nodes, half_step);
-        let relative = self.relative(difference);
-        for ([first, second, third], relative) in self.changes.iter_mut().zip(relative) {
-            (*first, *second, *third) = (*second, *third, relative as f32);
-        }
-        (self.pause)();
-        let [time, psi] = self.changes.map(|changes| remaining_error(changes.map(f64::from)));
-        time.max(psi)
-    }
-
-    /// Sums over nodes that are a step apart.
-    #[inline(always)] // a frame less on the stack
-    fn sum_nodes(&mut self, nodes: u32, first: [F; 2]) -> [F; 3] {
-        let [step_sine, step_cosine] = self.step;
-        let [mut sine, mut cosine] = first;
+        let quarter_turn = Extended::TWO_PI.halved().halved();
+        let count = F::from_f64(intervals.into());
+        let [step_sine, step_cosine] = sine_cosine(F::from_extended(quarter_turn) / count, pause);
+        let [mut sine, mut cosine] = [F::ZERO, F::ONE];
         let mut sums = [F::ZERO; 3];
-        for _ in 0..nodes {
-            sums = add(sums, self.integrands_at([sine, cosine]));
+        for node in 0..=intervals / 2 {
+            pause();
+            let fractions = landen.fractions_at_angle([sine, cosine]);
+            pause();
+            let mut integrands = elliptic.at(&fractions);
+            if 2 * node < intervals {
+                pause();
+                integrands = add(integrands, elliptic.at(&landen.at_complement(&fractions)));
+            }
+            if node == 0 {
+                integrands = integrands.map(F::halved);
+            }
+            sums = add(sums, integrands);
             (sine, cosine) =
                 (sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine);
         }
-        sums
-    }
-
-    fn integrands_at(&mut self, angle: [F; 2]) -> [F; 3] {
-        (self.pause)();
-        let fractions = self.landen.fractions_at_angle(angle);
-        (self.pause)();
-        self.equations.at(&fractions)
-    }
-
-    /// Changes of the time and of ψ_α and ψ_β, relative to the time and to |ψ_α| + |ψ_β|.
-    fn relative(&self, change: [F; 3]) -> [f64; 2] {
-        let [_, alpha_factor, beta_factor] = self.equations.factors.map(|factor| factor.to_f64().abs());
-        let magnitudes = |sums: [F; 3]| {
-            let [time, alpha, beta] = sums.map(|sum| sum.to_f64().abs());
-            [time, alpha * alpha_factor + beta * beta_factor]
-        };
-        let [time_change, psi_change] = magnitudes(change);
-        let [time, psi] = magnitudes(self.sums);
-        [time_change / time, if psi > 0.0 { psi_change / psi } else { 0.0 }]
-    }
-
-    #[inline(never)]
-    fn period(&self, relative_error: f64) -> Period {
-        // a node has the weight 2 K over the number of nodes, as both halves are equal
-        let weight = self.landen.quarter_period().doubled() / F::from_f64(f64::from(self.nodes));
-        let [time, alpha, beta] = self.sums;
-        let [of_time, of_alpha, of_beta] = self.equations.factors;
-        let integrals = [time * of_time, alpha * of_alpha, beta * of_beta];
-        let [time, alpha, beta] = integrals.map(|sum| (sum * weight).to_extended());
-        Period {
-            time,
-            psi: [alpha, beta],
-            relative_error,
-            rounding_error: Period::rounding_error::<F>(self.nodes),
-            nodes: self.nodes,
-        }
+        // an interval has the weight 2 K over their number, as both halves of the period are equal
+        let weight = landen.quarter_period().doubled() / count;
+        let [time, alpha, beta] = sums;
+        let [of_time, of_alpha, of_beta] = elliptic.factors;
+        let [time, alpha, beta] =
+            [time * of_time, alpha * of_alpha, beta * of_beta].map(|sum| (sum * weight).to_extended());
+        Self { time, psi: [alpha, beta], rounding_error: Self::rounding_error::<F>(intervals) }
     }
 }
 
@@ -147,23 +64,31 @@ fn add<F: Ring>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
     [a + x, b + y, c + z]
 }
 
-/// Estimated error of a trapezoid sum from its last three changes.
-///
-/// With each doubling of the nodes the error C q^n is squared over C: C q, C q², C q⁴. The third is the last change times the square of the ratio of
-/// the last two, which is the square of the ratio before. The larger of both counts, because a change can be small by chance. The factors 30 and 3
-/// are margins for a C below 1 and for roundings.
-fn remaining_error([first, second, third]: [f64; 3]) -> f64 {
-    // changes may be 0
-    let ratio = |change: f64, before: f64| change / before.max(change).max(f64::MIN_POSITIVE);
-    let (last, before) = (ratio(third, second), ratio(second, first));
-    let ratio = last.max(before * before);
-    third * (3.0 * third + 30.0 * ratio * ratio)
+/// Sine and cosine of an angle of at most π/4, by their power series.
+fn sine_cosine<F: Float>(angle: F, pause: &mut dyn FnMut()) -> [F; 2] {
+    /// Number of terms after which the next is below 2^-128.
+    const TERMS: u32 = 32;
+    let [mut sine, mut cosine, mut term] = [F::ZERO, F::ONE, F::ONE];
+    for k in 1..TERMS {
+        pause();
+        term = term * angle / F::from_f64(k.into());
+        match k % 4 {
+            0 => cosine = cosine + term,
+            1 => sine = sine + term,
+            2 => cosine = cosine - term,
+            _ => sine = sine - term,
+        }
+        if term <= angle * F::from_f64(0.1 * F::OPERATION_ERROR) {
+            break;
+        }
+    }
+    [sine, cosine]
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::{Extended, Wide};
+    use crate::scalar::Wide;
     use crate::{Complex, InitialAngles, Motion, Orientation, Release, Signs, State, Top, TopParameters};
 
     fn sliding([transverse_inertia, axial_inertia, com_height, mass_moment]: [f64; 4], gravity: f64) -> Top {
@@ -178,6 +103,10 @@ mod tests {
         .unwrap()
     }
 
+    fn from_branch_points(top: &Top, e: [f64; 3]) -> Motion {
+        Motion::from_branch_points(top, e, Signs::default(), &InitialAngles::default()).unwrap()
+    }
+
     fn released(top: &Top, release: &Release) -> Motion {
         Motion::launch(top, &State::from_release(release).unwrap()).unwrap()
     }
@@ -186,53 +115,60 @@ mod tests {
         Period::integrated(&motion.equations().map(F::from_extended), &mut || {})
     }
 
-    /// ψ_α and ψ_β of this motion converge later than its period: the last changes of one say nothing about the other.
-    #[test]
-    fn the_estimate_holds_where_one_integral_converges_later() {
+    /// Number of intervals, and the periods with it, with half of it and with twice it.
+    fn intervals_and_periods<F: Float>(motion: &Motion) -> (u32, [Period; 3]) {
+        let equations = motion.equations().map(F::from_extended);
+        let elliptic = EllipticEquations::new(&equations);
+        let mut landen = Landen::EMPTY;
+        landen.fill(elliptic.parameters, &mut || {});
+        let intervals = landen.intervals();
+        let numbers = [intervals, intervals / 2, 2 * intervals];
+        (intervals, numbers.map(|number| Period::trapezoid(&elliptic, &landen, number, &mut || {})))
+    }
+
+    /// Motions near the limits: one whose ψ converge later than its period, one with e₄ near e₂, the most slender top that is accepted, and one
+    /// that passes close to the upper vertical.
+    fn extreme_motions() -> [Motion; 4] {
         let [a, c] = [550_727.206_840_833_8, 127_428.675_666_720_59];
         let top = sliding([a, c, 3.375_520_805_021_179_3, 1.708_587_416_477_475_3], 0.224_786_633_213_301_5);
         let alpha = Complex::new(-0.950_307_621_000_546_7, -0.011_024_362_132_147_47);
         let beta = Complex::new(-0.310_824_514_250_747_36, 0.013_491_117_398_039_085);
         let omega = [0.003_448_181_221_981_053, 5.756_927_032_555_872e-5, -0.005_529_380_379_944_812];
         let state = State::new(Orientation { alpha, beta }, omega).unwrap();
-        let equations = Motion::launch(&top, &state).unwrap().equations();
-        let first = Period::integrated(&equations, &mut || {});
-        let elliptic = EllipticEquations::new(&equations);
-        let mut landen = Landen::EMPTY;
-        landen.fill(elliptic.parameters, &mut || {});
-        let mut pause = || {};
-        let mut rule = TrapezoidRule::new(&elliptic, &landen, &mut pause);
-        rule.triple_nodes();
-        while rule.nodes < 2 * first.nodes {
-            rule.double_nodes();
-        }
-        let finer = rule.period(0.0);
-        assert_eq!(finer.nodes, 2 * first.nodes);
-        let error = ((first.time - finer.time) / finer.time).to_f64();
-        // beside the roundings of the sums
-        assert!(error.abs() <= first.relative_error + 1e-36, "{error:e} {:e}", first.relative_error);
-        assert!(first.relative_error <= 1e-28, "{:e}", first.relative_error);
+        let slender = Release { tilt: 1e-3, spin: 1e-3, ..Release::default() };
+        [
+            Motion::launch(&top, &state).unwrap(),
+            from_branch_points(&sliding([1.0, 0.01, 1.0, 87.0], 1.0), [-0.9, 0.999, 3.9]),
+            released(&sliding([1.01e-6, 1e-6, 1.0, 1.0], 1.0), &slender),
+            from_branch_points(&sliding([1.0, 0.7, 1.0, 1.0], 1.0), [-0.5, 1.0 - 1e-15, 1.0]),
+        ]
     }
 
-    /// A branch point e₄ close to e₂, with e₃ far away.
+    /// The error is below the roundings, and with half of the intervals it would not be.
     #[test]
-    fn a_fourth_branch_point_near_the_motion_takes_few_nodes() {
-        let top = sliding([1.0, 0.01, 1.0, 87.0], 1.0);
-        for (e, nodes) in [([-1.0, 1.0, 3.9], 96), ([-0.9, 0.999, 3.9], 96), ([-0.9, 0.999, 1.001], 96)] {
-            let motion =
-                Motion::from_branch_points(&top, e, Signs::default(), &InitialAngles::default()).unwrap();
-            assert_eq!(period::<Extended>(&motion).nodes, nodes, "{e:?}");
+    fn the_intervals_are_as_many_as_the_error_needs() {
+        fn check<F: Float>() {
+            for (number, motion) in extreme_motions().iter().enumerate() {
+                let (intervals, [period, coarse, fine]) = intervals_and_periods::<F>(motion);
+                let error = |period: &Period| {
+                    let changes = [0, 1].map(|index| (period.psi[index] - fine.psi[index]).to_f64().abs());
+                    let size: f64 = fine.psi.iter().map(|psi| psi.to_f64().abs()).sum();
+                    let time = ((period.time - fine.time) / fine.time).to_f64().abs();
+                    time.max((changes[0] + changes[1]) / (size + core::f64::consts::PI))
+                };
+                assert!(error(&period) <= fine.rounding_error, "{number}: {:e}", error(&period));
+                assert!(error(&coarse) > fine.rounding_error, "{number}: {intervals} {:e}", error(&coarse));
+            }
         }
+        check::<Extended>();
+        check::<Wide<1>>();
     }
 
-    /// The most slender top that is accepted, A/(ps) = 1e-6, through the lower vertical and close to the upper one. With the nutation angle as
-    /// the variable it needed 65 537 nodes.
+    /// With the nutation angle as the variable the third motion needed 65 537 nodes.
     #[test]
-    fn a_slender_top_takes_few_nodes() {
-        let release = Release { tilt: 1e-3, spin: 1e-3, ..Release::default() };
-        let motion = released(&sliding([1.01e-6, 1e-6, 1.0, 1.0], 1.0), &release);
-        let nodes = period::<Extended>(&motion).nodes;
-        assert!((128..=256).contains(&nodes), "{nodes}");
+    fn motions_near_the_limits_take_few_intervals() {
+        let found = extreme_motions().map(|motion| intervals_and_periods::<Extended>(&motion).0);
+        assert_eq!(found, [55, 54, 158, 183]);
     }
 
     /// Numbers of 64 bits give the period and the angles with the error that the bound counts.
@@ -251,37 +187,11 @@ mod tests {
             let size = exact.psi[0].abs() + exact.psi[1].abs();
             let errors = [(rounded.time - exact.time) / exact.time, (sum(&rounded) - sum(&exact)) / size];
             for error in errors.map(|error| error.to_f64().abs()) {
-                let allowed = rounded.relative_error + 64.0 * Wide::<1>::OPERATION_ERROR;
+                let allowed = 64.0 * Wide::<1>::OPERATION_ERROR;
                 assert!(error <= allowed, "{k}: {error:e} {allowed:e}");
                 worst = worst.max(error);
             }
         }
         assert!(worst > Wide::<1>::OPERATION_ERROR || cfg!(miri), "{worst:e}");
-    }
-
-    #[test]
-    fn the_remaining_error_is_finite_for_equal_sums() {
-        assert_eq!(remaining_error([0.0; 3]), 0.0);
-        assert!(remaining_error([0.0, 0.0, 1e-32]) < 1e-30);
-        // the error squares from one doubling to the next
-        let left = remaining_error([1e-4, 1e-8, 1e-16]);
-        assert!(left > 1e-32 && left < 1e-30, "{left:e}");
-    }
-
-    /// Errors C q, C q², C q⁴, C q⁸: the remaining error is the last one.
-    #[test]
-    fn the_remaining_error_is_bounded_for_a_small_constant() {
-        for constant in [1.0, 1e-3, 1e-6] {
-            let [first, second, third, truth] = [1, 2, 4, 8].map(|power| constant * 0.1_f64.powi(power));
-            let bound = remaining_error([first, second, third]);
-            assert!((truth..100.0 * truth).contains(&bound), "{bound:e} of {truth:e}");
-        }
-    }
-
-    /// Launch 9250 of the corner study with seed 1: the third change is small by chance, and the error after it is 8.2e-17.
-    #[test]
-    fn a_change_that_is_small_by_chance_means_no_small_error() {
-        let bound = remaining_error([1.7e-3, 3.5e-5, 1.11e-10]);
-        assert!((8.2e-17..1e-14).contains(&bound), "{bound:e}");
     }
 }

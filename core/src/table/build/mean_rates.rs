@@ -58,16 +58,15 @@ fn size_in_turns(angle: Extended) -> f64 {
 fn errors(motion: &Motion, period: &Period) -> Phases<f64> {
     let LaunchRounding { relative, slow_rate_error } = motion.rounding;
     let arithmetic = period.rounding_error + STORED + relative;
-    let rule = period.relative_error;
     let frequency = 1.0 / period.time.to_f64();
     let [alpha, beta] = period.psi.map(size_in_turns);
     let half_tau = 2.0 * size_in_turns(motion.half_tau) * arithmetic + size_in_turns(slow_rate_error.into());
     let error = |advance_turns: f64| {
-        // the rate is (ψ(T) + half a turn)/T ± τ/2; the trapezoid rule affects only the first term
+        // the rate is (ψ(T) + half a turn)/T ± τ/2
         let advance = alpha + beta + advance_turns + 0.5;
-        advance * (rule + 2.0 * arithmetic) * frequency + half_tau
+        advance * 2.0 * arithmetic * frequency + half_tau
     };
-    Phases { nutation: frequency * (rule + arithmetic), alpha: error(alpha), beta: error(beta) }
+    Phases { nutation: frequency * arithmetic, alpha: error(alpha), beta: error(beta) }
 }
 
 #[cfg(test)]
@@ -75,12 +74,12 @@ mod tests {
     use super::*;
     use crate::table::build::tests::nutating_motion;
 
-    /// A large error of the trapezoid rule: the errors of all three rates contain it.
+    /// A large error of the period: the errors of all three rates contain it.
     #[test]
-    fn the_error_of_the_quadrature_is_in_every_rate() {
+    fn the_error_of_the_period_is_in_every_rate() {
         let motion = nutating_motion();
         let exact = motion.period::<Extended>(&motion.equations(), &mut || {}).unwrap();
-        let rough = Period { relative_error: 1e-3, ..exact };
+        let rough = Period { rounding_error: 1e-3, ..exact };
         let frequency = 1.0 / exact.time.to_f64();
         let psi: f64 = exact.psi.iter().map(|angle| Float::abs(angle.radians_to_turns().to_f64())).sum();
         for (rate, (small, large)) in errors(&motion, &exact)

@@ -58,9 +58,9 @@ impl MotionCore {
     /// Samples of the reference at these times.
     fn reference(&self, py: Python<'_>, t: NumericArg) -> PyResult<Sampler> {
         require_within(self.motion.furthest_time(), &t.numbers)?;
-        let (reference, unit) = (py.detach(|| self.quadrature()), self.motion.characteristic_time());
+        let (reference, tick) = (py.detach(|| self.quadrature()), self.motion.ticks_per_time().recip());
         Sampler::by_method(py, t, &self.motion, Some(ROUNDING), |t| {
-            (reference.at(&from_f64(t)).to_f64(), reference.rates(&from_f64(t), unit))
+            (reference.at(&from_f64(t)).to_f64(), reference.rates(&from_f64(t), tick))
         })
     }
 

@@ -76,7 +76,7 @@ pub fn run(seed: u64, number: u64, with_truth: bool) -> Result<Trial, ParameterE
         let ticks = ticks(&truth, rate, period, &mut random);
         for tick in ticks.into_iter().chain(most_different_rates(&tables, &motion, period * rate)) {
             let t = from_i64(tick) / from_f64(rate);
-            let (orientation, rates) = (truth.at(&t), truth.rates(&t, period));
+            let (orientation, rates) = (truth.at(&t), truth.rates(&t, rate.recip()));
             for (table, errors) in tables.iter().flatten().zip(errors.iter_mut().flatten()) {
                 let (bound, rate_bound) = (table.error_bound, table.rate_error_bound);
                 let (within, rates_within) = (bound.after(tick as f64), rate_bound.after(tick as f64));
