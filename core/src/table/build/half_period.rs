@@ -1,23 +1,15 @@
-//! Half a nutation period in cells and segments; the other half is its mirror image.
-//!
-//! ```text
-//! u = e₁                                                                    u = e₂
-//! |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    16 cells
-//! |         |         |    |    |    |  |  |  |  ||||||||    |    |         |         |    segments: one polynomial of a and one of b
-//! |         |         |         |         |    |  |  |  |         |         |         |    spans: one expansion of the motion
-//! ```
-//!
-//! All segments of a cell have one length. The first attempt at a cell has segments twice as long as those of the cell before. They are halved until
-//! their error is small enough. A segment does not cross the ends of a span.
+//! Half a nutation period as a table; the other half is its mirror image.
 
 mod stored_segment;
 
+mod tabulation;
+
 mod bound;
 
-use stored_segment::{SegmentBounds, store_polynomial, store_segment};
+use stored_segment::{SegmentBounds, store_polynomial};
+use tabulation::Tabulation;
 
 use super::error_budget::ErrorBudget;
-use super::interval::{Interval, SHORTEST_SEGMENTS};
 use super::mean_rates::MeanRates;
 use super::path::polynomial::Polynomial;
 use super::path::{Path, PathScratch};
@@ -27,7 +19,7 @@ use crate::motion::period::Period;
 use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::table::data::Phases;
-use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
+use crate::table::data::cell::CELLS;
 use crate::table::evaluation::TableScalar;
 
 /// Quantities of half a period besides its segments.
@@ -42,9 +34,6 @@ pub(super) struct HalfPeriod {
     /// Constant orientation error, without the roundings of a tick, rad.
     error: f64,
 }
-
-/// Length of a cell, in shortest segments.
-const CELL_LENGTH: usize = SHORTEST_SEGMENTS / CELLS;
 
 impl HalfPeriod {
     /// Half a period before a set-up. All its bits are 0.
@@ -101,7 +90,7 @@ impl HalfPeriod {
         segments: &mut [R::Segment],
         capacity: usize,
     ) -> Option<()> {
-        self.divide::<R>(path, segments, capacity)?;
+        Tabulation::<R>::new(self, path, segments, capacity).tabulate()?;
         self.launch_phases = path.launch.phases;
         let [delay, residual] = path.errors();
         let bounds = &self.bounds;
@@ -118,69 +107,5 @@ impl HalfPeriod {
             store_polynomial::<R>(first, index, &Polynomial::constant(plus + minus));
         }
         self.segment_count = 1;
-    }
-
-    /// Divides the half period into cells, and these into segments.
-    fn divide<R: TableScalar>(
-        &mut self,
-        path: &mut Path<'_, R::RateNumber>,
-        segments: &mut [R::Segment],
-        capacity: usize,
-    ) -> Option<()> {
-        let mut position = 0;
-        let mut depth = MIN_DEPTH;
-        while position < SHORTEST_SEGMENTS {
-            // Segments twice as long as the last ones are tried first. A segment of two cells begins at an even cell.
-            depth = (depth - 1).max(MIN_DEPTH + (position / CELL_LENGTH % 2) as u32);
-            let start = path.begin_cell(position, depth);
-            let (cell, bounds) = loop {
-                let cell = Interval { begin: position, depth: depth.min(CELLS.ilog2()) };
-                let least_after = (SHORTEST_SEGMENTS - cell.end()).div_ceil(SHORTEST_SEGMENTS >> MIN_DEPTH);
-                let count = self.segment_count + cell.part_count(depth) + least_after;
-                if depth > Cell::MAX_DEPTH || count > capacity {
-                    return None;
-                }
-                if let Some(bounds) = self.fill_cell::<R>(cell, depth, path, segments) {
-                    break (cell, bounds);
-                }
-                path.rewind(position, start);
-                depth += 1;
-            };
-            let first = Interval { begin: position, depth };
-            let Cell(entry) = Cell::new(self.segment_count, first.number(), depth);
-            self.cells
-                .iter_mut()
-                .skip(position / CELL_LENGTH)
-                .take(cell.length() / CELL_LENGTH)
-                .for_each(|stored| *stored = entry);
-            self.segment_count += cell.part_count(depth);
-            self.bounds.include(&bounds);
-            position = cell.end();
-        }
-        Some(())
-    }
-
-    /// Fills one cell with segments, or two cells with one segment; `None` if the segments are too long.
-    ///
-    /// * `depth`: depth of the segments
-    fn fill_cell<R: TableScalar>(
-        &mut self,
-        cell: Interval,
-        depth: u32,
-        path: &mut Path<'_, R::RateNumber>,
-        segments: &mut [R::Segment],
-    ) -> Option<SegmentBounds> {
-        let mut bounds = SegmentBounds::ZERO;
-        for (segment, number) in cell.parts(depth).zip(self.segment_count..) {
-            let span = path.span_at(segment.begin, depth)?;
-            let last = segments.len().checked_sub(1)?;
-            let stored = segments.get_mut(number.min(last))?;
-            bounds.include(&store_segment::<R>(span, segment, stored));
-            let is_accurate = bounds.error <= path.budget.segment_error_at(depth);
-            if !is_accurate {
-                return None;
-            }
-        }
-        Some(bounds)
     }
 }

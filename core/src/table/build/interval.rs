@@ -15,6 +15,13 @@ pub(super) struct Interval {
 }
 
 impl Interval {
+    pub(super) const HALF_PERIOD: Self = Self { begin: 0, depth: 0 };
+
+    /// Depth of the longest interval that begins at a position.
+    pub(super) fn least_depth_at(position: usize) -> u32 {
+        Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros())
+    }
+
     pub(super) fn length(self) -> usize {
         SHORTEST_SEGMENTS >> self.depth
     }

@@ -16,14 +16,13 @@ use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real, Ring};
 use crate::table::data::Phases;
-use crate::table::data::cell::Cell;
 use expansion::{Expansion, ExpansionPoint, PathPhases};
 use launch_search::LaunchSearch;
 use polynomial::Polynomial;
 use series::PowerSeries;
 
 /// Depth of the longest span.
-const MIN_SPAN_DEPTH: u32 = 2;
+pub(super) const MIN_SPAN_DEPTH: u32 = 2;
 
 /// Point of the path.
 #[derive(Clone, Copy, Debug)]
@@ -86,29 +85,7 @@ impl PathScratch {
     }
 }
 
-/// Part of the path with one expansion of the motion.
-pub(super) struct Span<'a> {
-    interval: Interval,
-    /// Upper bound on the rates of the residual phases, rad per half period.
-    pub(super) residual_rate: f32,
-    polynomials: &'a [Polynomial; 2],
-    segment: &'a mut Polynomial,
-    /// Greatest error by dropped terms, in units of 2^-62.
-    dropped_q62: i64,
-    pause: &'a mut dyn FnMut(),
-}
-
-impl Span<'_> {
-    /// Polynomial of a (index 0) or b (1) on a segment of the span.
-    pub(super) fn polynomial_on(&mut self, segment: Interval, index: usize) -> Option<&mut Polynomial> {
-        (self.pause)();
-        let halvings = segment.depth - self.interval.depth;
-        self.segment.restrict(self.polynomials.get(index)?, segment.number(), halvings, self.dropped_q62);
-        Some(self.segment)
-    }
-}
-
-/// Path with phase equations in `F`, and its span with polynomials of a and b in scratch memory.
+/// Path with phase equations in `F`. Its last span, with one expansion of the motion, has polynomials of a and b in scratch memory.
 pub(super) struct Path<'a, F> {
     equations: PathEquations<F>,
     scratch: &'a mut PathScratch,
@@ -118,11 +95,9 @@ pub(super) struct Path<'a, F> {
     /// Sum of the rates of χ and of the residual phases at the faster end of the path, rad per half period.
     turning_point_rate: f64,
     pub(super) launch: LaunchSearch,
-    span: Option<Interval>,
+    span: Interval,
     /// End of the span.
     end: PathPoint,
-    /// Least depth of the next span.
-    next_span_depth: u32,
     pause: &'a mut dyn FnMut(),
 }
 
@@ -158,70 +133,27 @@ impl<'a, F: Float> Path<'a, F> {
             exponentials: [alpha, beta].map(|ellipse| ellipse.exponentials()),
             turning_point_rate: first.larger_or_nan(last),
             launch: LaunchSearch::new(motion),
-            span: None,
+            span: Interval::HALF_PERIOD,
             end: PathPoint::FIRST,
-            next_span_depth: MIN_SPAN_DEPTH,
             pause,
         }
     }
 
-    /// Beginning of a cell. If the last series converged well, the next span may be as long as a segment of this depth.
-    pub(super) fn begin_cell(&mut self, position: usize, depth: u32) -> PathPoint {
-        if self.scratch.expansion.may_double() {
-            self.next_span_depth = self.next_span_depth.min(depth);
-        }
-        match self.span.filter(|span| position < span.end()) {
-            Some(span) => {
-                let x = 2.0 * ((position - span.begin) as f64 / span.length() as f64) - 1.0;
-                PathPoint { phases: self.scratch.expansion.at(x).0, error: self.end.error }
-            }
-            None => self.end,
-        }
+    /// End of the last span.
+    pub(super) fn end(&self) -> PathPoint {
+        self.end
     }
 
-    /// Returns to the beginning of a cell, at this position, unless the span contains it.
-    pub(super) fn rewind(&mut self, position: usize, cell_start: PathPoint) {
-        if !self.is_in_span(position) {
-            self.span = None;
-            self.end = cell_start;
-        }
+    /// Returns to the end of an earlier span.
+    pub(super) fn return_to(&mut self, end: PathPoint) {
+        self.end = end;
     }
 
-    fn is_in_span(&self, position: usize) -> bool {
-        self.span.is_some_and(|span| (span.begin..span.end()).contains(&position))
-    }
-
-    /// Span at a position: the present one, or the next one, which begins there. `None` if no depth up to `max_depth` is accurate.
-    pub(super) fn span_at(&mut self, position: usize, max_depth: u32) -> Option<Span<'_>> {
-        if !self.is_in_span(position) {
-            let point = self.end;
-            let depth = self.next_span_depth.max(Cell::MAX_DEPTH.saturating_sub(position.trailing_zeros()));
-            self.span = None;
-            for depth in depth..=max_depth {
-                self.span = self.expand(Interval { begin: position, depth }, point);
-                if self.span.is_some() {
-                    break;
-                }
-                self.next_span_depth = depth + 1;
-            }
-        }
-        let interval = self.span?;
-        let PathScratch { expansion, polynomials, segment, .. } = &mut *self.scratch;
-        Some(Span {
-            interval,
-            residual_rate: expansion.greatest_residual_rate() * (2_u32 << interval.depth) as f32,
-            polynomials,
-            segment,
-            dropped_q62: self.budget.dropped_q62,
-            pause: self.pause,
-        })
-    }
-
-    /// Expands the motion around the centre of a span, computes the polynomials of a and b, and searches for the launch; `None` if they are not
-    /// accurate.
-    fn expand(&mut self, span: Interval, beginning: PathPoint) -> Option<Interval> {
-        let centre = self.step(span, beginning)?;
-        self.end = self.step(span, centre)?;
+    /// Continues the path by a span: expands the motion around its centre, computes the polynomials of a and b, and searches for the launch.
+    /// `None` if they are not accurate; the path must then return to an earlier end.
+    pub(super) fn advance(&mut self, span: Interval) -> Option<()> {
+        let centre = self.step(span, self.end)?;
+        (self.span, self.end) = (span, self.step(span, centre)?);
         let PathScratch { expansion, exponential, polynomials, .. } = &mut *self.scratch;
         let least = self.budget.dropped_q62;
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
@@ -234,7 +166,21 @@ impl<'a, F: Float> Path<'a, F> {
         }
         (self.pause)();
         self.launch.search(expansion, self.end.phases.chi, span);
-        Some(span)
+        Some(())
+    }
+
+    /// Polynomial of a (index 0) or b (1) on a segment of the last span.
+    pub(super) fn polynomial_on(&mut self, segment: Interval, index: usize) -> Option<&mut Polynomial> {
+        (self.pause)();
+        let PathScratch { polynomials, segment: polynomial, .. } = &mut *self.scratch;
+        let halvings = segment.depth - self.span.depth;
+        polynomial.restrict(polynomials.get(index)?, segment.number(), halvings);
+        Some(polynomial)
+    }
+
+    /// Upper bound on the rates of the residual phases on the last span, rad per half period.
+    pub(super) fn greatest_residual_rate(&self) -> f32 {
+        self.scratch.expansion.greatest_residual_rate() * (2_u32 << self.span.depth) as f32
     }
 
     /// Expands the motion around a point. Returns the point half a span later; `None` if the truncation error is too large.

@@ -2,7 +2,7 @@
 
 use crate::scalar::{Float, Ring};
 use crate::table::build::interval::Interval;
-use crate::table::build::path::Span;
+use crate::table::build::path::Path;
 use crate::table::build::path::polynomial::Polynomial;
 use crate::table::evaluation::Coefficient;
 use crate::table::evaluation::TABLE_UNIT;
@@ -60,16 +60,16 @@ impl SegmentBounds {
     }
 }
 
-/// Computes and stores the polynomials of a and b on a segment of a span.
+/// Computes and stores the polynomials of a and b on a segment of the last span.
 pub(super) fn store_segment<R: TableScalar>(
-    mut span: Span<'_>,
+    path: &mut Path<'_, R::RateNumber>,
     segment: Interval,
     stored: &mut R::Segment,
 ) -> SegmentBounds {
     let mut truncation_squared = 0.0;
     let mut slope_squared = 0.0;
     for index in 0..2 {
-        let Some(polynomial) = span.polynomial_on(segment, index) else { continue };
+        let Some(polynomial) = path.polynomial_on(segment, index) else { continue };
         polynomial.shorten(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
@@ -85,7 +85,7 @@ pub(super) fn store_segment<R: TableScalar>(
             f32::INFINITY
         },
         angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_per_half_period,
-        residual_rate: span.residual_rate,
+        residual_rate: path.greatest_residual_rate(),
         x_per_half_period,
     }
 }

@@ -144,13 +144,6 @@ impl Expansion {
         (PathPhases { chi: after(chi, &self.chi), residual }, 0.25 * self.chi.value(y, self.terms))
     }
 
-    /// Whether coefficients should be in range over twice the distance.
-    pub(super) fn may_double(&self) -> bool {
-        /// Greatest ratio |c₁/c₀| of the coefficients of dχ/dy. Twice the distance doubles it to 2.5; coefficients have room for a factor of 4.
-        const MAX_CHANGE: f32 = 1.25;
-        self.chi.term_size(1, 1.0) <= MAX_CHANGE * self.chi.term_size(0, 1.0)
-    }
-
     /// Rounding error of the phases at x = 1, rad.
     pub(super) fn rounding_error(&self) -> f64 {
         /// Roundings of the terms of a rate.

@@ -135,17 +135,13 @@ impl Polynomial {
         }
     }
 
-    /// Restricts the polynomial `whole` of a span to one of its 2^halvings parts, by halvings with dropped terms between them.
+    /// Restricts the polynomial `whole` of a span to one of its 2^halvings equal parts.
     ///
     /// * `part`: number of the part
-    /// * `dropped`: greatest sum of the dropped terms
-    pub(crate) fn restrict(&mut self, whole: &Self, part: usize, halvings: u32, dropped: i64) {
+    pub(crate) fn restrict(&mut self, whole: &Self, part: usize, halvings: u32) {
         self.clone_from(whole);
         for halving in (0..halvings).rev() {
             self.halve((part >> halving) & 1 == 1);
-            if halving > 0 {
-                self.shorten(0, dropped);
-            }
         }
     }
 
@@ -207,7 +203,7 @@ mod tests {
                 (0..5).flat_map(|halvings| (0..1 << halvings).map(move |part| (halvings, part)))
             {
                 let mut restricted = Polynomial::ZERO;
-                restricted.restrict(&whole, part, halvings, 0);
+                restricted.restrict(&whole, part, halvings);
                 for x in [-1.0, -0.6, -0.3, 0.0, 0.7, 1.0] {
                     let at = (x + (2 * part + 1) as f64) / f64::from(1 << halvings) - 1.0;
                     let error = distance(derivative(&whole, 0, at), derivative(&restricted, 0, x));

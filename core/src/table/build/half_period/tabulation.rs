@@ -1,0 +1,146 @@
+//! Tabulation of a path in spans, cells and segments.
+//!
+//! ```text
+//! u = e₁                                                                    u = e₂
+//! |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    |    16 cells
+//! |         |         |    |    |    |  |  |  |  ||||||||    |    |         |         |    segments: one polynomial of a and one of b
+//! |                   |         |    |    |    |  |  |  |    |    |                   |    spans: one expansion of the motion
+//! ```
+//!
+//! A span has whole cells, or a cell has several spans of one length. All segments of a cell have one length, and none crosses the end of a span.
+//! A length that is not accurate is halved. Twice the last length is tried again: for segments at each cell, for spans where two of them would fit.
+
+use super::HalfPeriod;
+use super::stored_segment::{SegmentBounds, store_segment};
+use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
+use crate::table::build::path::{MIN_SPAN_DEPTH, Path};
+use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
+use crate::table::evaluation::TableScalar;
+
+/// Depth of a cell.
+const CELL_DEPTH: u32 = CELLS.ilog2();
+
+/// Length of a cell, in shortest segments.
+const CELL_LENGTH: usize = SHORTEST_SEGMENTS / CELLS;
+
+/// Tabulation of a path up to a position.
+pub(super) struct Tabulation<'a, 'p, R: TableScalar> {
+    half_period: &'a mut HalfPeriod,
+    path: &'a mut Path<'p, R::RateNumber>,
+    segments: &'a mut [R::Segment],
+    capacity: usize,
+    /// End of the last cell.
+    position: usize,
+    /// Depth of the next span.
+    span_depth: u32,
+    /// Depth of the next segments.
+    depth: u32,
+}
+
+impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
+    /// Tabulation that begins at u = e₁, with the parameters of [`HalfPeriod::compute`].
+    pub(super) fn new(
+        half_period: &'a mut HalfPeriod,
+        path: &'a mut Path<'p, R::RateNumber>,
+        segments: &'a mut [R::Segment],
+        capacity: usize,
+    ) -> Self {
+        let (span_depth, depth) = (MIN_SPAN_DEPTH, MIN_DEPTH);
+        Self { half_period, path, segments, capacity, position: 0, span_depth, depth }
+    }
+
+    /// Tabulates the path to u = e₂; `None` as soon as the segments cannot fit.
+    pub(super) fn tabulate(&mut self) -> Option<()> {
+        while self.position < SHORTEST_SEGMENTS {
+            let start = self.path.end();
+            let is_accurate = if self.span_depth <= CELL_DEPTH {
+                self.tabulate_span()?
+            } else {
+                self.tabulate_cell_of_short_spans()?
+            };
+            if !is_accurate {
+                self.path.return_to(start);
+            } else if Interval::least_depth_at(self.position) + 2 <= self.span_depth {
+                self.span_depth -= 1;
+            }
+        }
+        Some(())
+    }
+
+    /// Tabulates the cells of a span. Returns whether the span is accurate.
+    fn tabulate_span(&mut self) -> Option<bool> {
+        let span = Interval { begin: self.position, depth: self.span_depth };
+        if self.path.advance(span).is_none() {
+            self.span_depth += 1;
+            return Some(false);
+        }
+        while self.position < span.end() {
+            let least_depth = Interval::least_depth_at(self.position).max(span.depth);
+            self.depth = self.depth.max(MIN_DEPTH).max(least_depth);
+            // a segment may have two cells
+            let cell = self.next_cell(self.depth.min(CELL_DEPTH))?;
+            let mut bounds = SegmentBounds::ZERO;
+            match self.store_segments(cell, &mut bounds) {
+                Some(()) => self.complete_cell(cell, &bounds),
+                None => self.depth += 1,
+            }
+        }
+        Some(true)
+    }
+
+    /// Tabulates a cell of several spans. Returns whether spans and segments are accurate.
+    fn tabulate_cell_of_short_spans(&mut self) -> Option<bool> {
+        self.depth = self.depth.max(self.span_depth);
+        let cell = self.next_cell(CELL_DEPTH)?;
+        let mut bounds = SegmentBounds::ZERO;
+        for span in cell.parts(self.span_depth) {
+            if self.path.advance(span).is_none() {
+                self.span_depth += 1;
+                return Some(false);
+            }
+            if self.store_segments(span, &mut bounds).is_none() {
+                self.depth += 1;
+                return Some(false);
+            }
+        }
+        self.complete_cell(cell, &bounds);
+        Some(true)
+    }
+
+    /// Next cell, or the next two; `None` if its segments cannot fit.
+    fn next_cell(&self, depth: u32) -> Option<Interval> {
+        let cell = Interval { begin: self.position, depth };
+        let least_after = (SHORTEST_SEGMENTS - cell.end()).div_ceil(SHORTEST_SEGMENTS >> MIN_DEPTH);
+        let count = self.half_period.segment_count + cell.part_count(self.depth) + least_after;
+        (self.depth <= Cell::MAX_DEPTH && count <= self.capacity).then_some(cell)
+    }
+
+    /// Stores the segments of the next cell, or of a part of it; `None` if they are not accurate.
+    #[inline(never)]
+    fn store_segments(&mut self, part: Interval, bounds: &mut SegmentBounds) -> Option<()> {
+        for segment in part.parts(self.depth) {
+            let number = self.half_period.segment_count + (segment.begin - self.position) / segment.length();
+            let last = self.segments.len().checked_sub(1)?;
+            let stored = self.segments.get_mut(number.min(last))?;
+            bounds.include(&store_segment::<R>(self.path, segment, stored));
+            let is_accurate = bounds.error <= self.path.budget.segment_error_at(self.depth);
+            if !is_accurate {
+                return None;
+            }
+        }
+        Some(())
+    }
+
+    /// Completes the next cell, or two, whose segments are stored.
+    fn complete_cell(&mut self, cell: Interval, bounds: &SegmentBounds) {
+        let HalfPeriod { cells, segment_count, bounds: all_bounds, .. } = &mut *self.half_period;
+        let first = Interval { begin: cell.begin, depth: self.depth };
+        let Cell(entry) = Cell::new(*segment_count, first.number(), self.depth);
+        let (begin, count) = (cell.begin / CELL_LENGTH, cell.length() / CELL_LENGTH);
+        cells.iter_mut().skip(begin).take(count).for_each(|stored| *stored = entry);
+        *segment_count += cell.part_count(self.depth);
+        all_bounds.include(bounds);
+        self.position = cell.end();
+        self.depth -= 1;
+    }
+}
