@@ -101,6 +101,7 @@ impl<F: Float> Landen<F> {
     }
 
     /// Squares sn² = x/(x + y) and cn² = y/(x + y) at the argument 2 K φ/π, from sin φ and cos φ.
+    #[inline(never)]
     pub(super) fn fractions_at_angle(&self, [sine, cosine]: [F; 2]) -> JacobiFractions<F> {
         // X without its constant factors (1 + k)²
         let mut x = sine.squared();

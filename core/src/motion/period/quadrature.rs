@@ -6,9 +6,9 @@
 
 use super::Period;
 use super::elliptic_equations::EllipticEquations;
-use super::landen::Landen;
+use super::landen::{JacobiFractions, Landen};
 use crate::motion::phase_equations::PhaseEquations;
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::{Extended, Float};
 
 impl Period {
     /// Period of a motion that nutates. `pause` is called several times at each node.
@@ -18,41 +18,21 @@ impl Period {
         pause();
         let mut landen = Landen::EMPTY;
         landen.fill(elliptic.parameters, pause);
-        Self::trapezoid(&elliptic, &landen, landen.intervals(), pause)
+        let intervals = landen.intervals();
+        let sums = trapezoid_sums(&elliptic, &landen, intervals, pause);
+        Self::from_sums(&elliptic, &landen, intervals, sums)
     }
 
-    /// Period by the trapezoid rule with this number of intervals.
+    /// Period from the sums of the trapezoid rule with this number of intervals.
     #[inline(never)]
-    fn trapezoid<F: Float>(
+    fn from_sums<F: Float>(
         elliptic: &EllipticEquations<'_, F>,
         landen: &Landen<F>,
         intervals: u32,
-        pause: &mut dyn FnMut(),
+        [time, alpha, beta]: [F; 3],
     ) -> Self {
-        let quarter_turn = Extended::TWO_PI.halved().halved();
-        let count = F::from_f64(intervals.into());
-        let [step_sine, step_cosine] = sine_cosine(F::from_extended(quarter_turn) / count, pause);
-        let [mut sine, mut cosine] = [F::ZERO, F::ONE];
-        let mut sums = [F::ZERO; 3];
-        for node in 0..=intervals / 2 {
-            pause();
-            let fractions = landen.fractions_at_angle([sine, cosine]);
-            pause();
-            let mut integrands = elliptic.at(&fractions);
-            if 2 * node < intervals {
-                pause();
-                integrands = add(integrands, elliptic.at(&landen.at_complement(&fractions)));
-            }
-            if node == 0 {
-                integrands = integrands.map(F::halved);
-            }
-            sums = add(sums, integrands);
-            (sine, cosine) =
-                (sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine);
-        }
         // an interval has the weight 2 K over their number, as both halves of the period are equal
-        let weight = landen.quarter_period().doubled() / count;
-        let [time, alpha, beta] = sums;
+        let weight = landen.quarter_period().doubled() / F::from_f64(intervals.into());
         let [of_time, of_alpha, of_beta] = elliptic.factors;
         let [time, alpha, beta] =
             [time * of_time, alpha * of_alpha, beta * of_beta].map(|sum| (sum * weight).to_extended());
@@ -60,11 +40,48 @@ impl Period {
     }
 }
 
-fn add<F: Ring>([a, b, c]: [F; 3], [x, y, z]: [F; 3]) -> [F; 3] {
-    [a + x, b + y, c + z]
+/// Sums of the integrands of t, ψ_α and ψ_β over half a period, without their factors.
+#[inline(never)]
+fn trapezoid_sums<F: Float>(
+    elliptic: &EllipticEquations<'_, F>,
+    landen: &Landen<F>,
+    intervals: u32,
+    pause: &mut dyn FnMut(),
+) -> [F; 3] {
+    let quarter_turn = Extended::TWO_PI.halved().halved();
+    let angle = F::from_extended(quarter_turn) / F::from_f64(intervals.into());
+    let [step_sine, step_cosine] = sine_cosine(angle, pause);
+    let [mut sine, mut cosine] = [F::ZERO, F::ONE];
+    let mut sums = [F::ZERO; 3];
+    for node in 0..=intervals / 2 {
+        pause();
+        let fractions = landen.fractions_at_angle([sine, cosine]);
+        pause();
+        add_integrands(&mut sums, elliptic, &fractions, node == 0);
+        if 2 * node < intervals {
+            pause();
+            add_integrands(&mut sums, elliptic, &landen.at_complement(&fractions), node == 0);
+        }
+        (sine, cosine) = (sine * step_cosine + cosine * step_sine, cosine * step_cosine - sine * step_sine);
+    }
+    sums
+}
+
+/// Adds the integrands at a node, or half of them at an end of the half period.
+#[inline(never)] // two calls, and less stack
+fn add_integrands<F: Float>(
+    sums: &mut [F; 3],
+    elliptic: &EllipticEquations<'_, F>,
+    fractions: &JacobiFractions<F>,
+    is_end: bool,
+) {
+    for (sum, integrand) in sums.iter_mut().zip(elliptic.at(fractions)) {
+        *sum = *sum + if is_end { integrand.halved() } else { integrand };
+    }
 }
 
 /// Sine and cosine of an angle of at most π/4, by their power series.
+#[inline(never)]
 fn sine_cosine<F: Float>(angle: F, pause: &mut dyn FnMut()) -> [F; 2] {
     /// Number of terms after which the next is below 2^-128.
     const TERMS: u32 = 32;
@@ -123,7 +140,15 @@ mod tests {
         landen.fill(elliptic.parameters, &mut || {});
         let intervals = landen.intervals();
         let numbers = [intervals, intervals / 2, 2 * intervals];
-        (intervals, numbers.map(|number| Period::trapezoid(&elliptic, &landen, number, &mut || {})))
+        let period = |number| {
+            Period::from_sums(
+                &elliptic,
+                &landen,
+                number,
+                trapezoid_sums(&elliptic, &landen, number, &mut || {}),
+            )
+        };
+        (intervals, numbers.map(period))
     }
 
     /// Motions near the limits: one whose ψ converge later than its period, one with e₄ near e₂, the most slender top that is accepted, and one
