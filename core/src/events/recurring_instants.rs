@@ -19,17 +19,17 @@ impl RecurringInstants {
     /// Instants at tick `from` or later. There are none without turning points.
     pub(super) fn new<R: TableScalar>(table: &Table<R>, phases: [Option<Phase>; 4], from: i64) -> Self {
         let nowhere = Self { next: [None; 4], period: None };
-        let step = table.clock.whole_steps().nutation.to_turns();
-        if !(table.clock.has_turning_points && step > Extended::ZERO) {
+        let increment = table.clock.whole_increments().nutation.to_turns();
+        if !(table.clock.has_turning_points && increment > Extended::ZERO) {
             return nowhere;
         }
         let start = Extended::from(from);
         let now = table.clock.phases_at_tick(from).nutation.to_phase();
         let ahead = |phase: Phase| {
             let ahead = WrappedPhase::from_phase(phase - now + PHASE_TOLERANCE).to_phase() - PHASE_TOLERANCE;
-            if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / step }
+            if ahead <= PHASE_TOLERANCE { start } else { start + Extended::from(ahead) / increment }
         };
-        Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / step) }
+        Self { next: phases.map(|phase| phase.map(ahead)), period: Some(Extended::ONE / increment) }
     }
 
     /// One instant per period, the first of them a period after the start.

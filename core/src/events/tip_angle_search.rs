@@ -66,7 +66,10 @@ impl<'a, R: TableScalar> TipAngleSearch<'a, R> {
         let at = from.into();
         if ends.period.is_none() {
             // where u is constant, a piece is a turn
-            ends = RecurringInstants::every(Extended::ONE / Extended::from(table.clock.tip_step()).abs(), at);
+            ends = RecurringInstants::every(
+                Extended::ONE / Extended::from(table.clock.tip_increment()).abs(),
+                at,
+            );
         }
         Self { table, ends, target, at, angle: table.tip_angle_at(at) }.including_start()
     }
@@ -121,7 +124,7 @@ impl<'a, R: TableScalar> TipAngleSearch<'a, R> {
     fn skip_periods(&mut self, period: Extended, [least, greatest]: [Phase; 2]) -> Option<()> {
         /// Part of the periods skipped at once; the rest allows for roundings.
         const SKIPPED_PART: f64 = 1.0 - 1e-9;
-        let per_period = Extended::from(self.table.clock.tip_step()) * period;
+        let per_period = Extended::from(self.table.clock.tip_increment()) * period;
         let upward = per_period > Extended::ZERO;
         let edge = self.angle + if upward { greatest } else { least };
         let periods =

@@ -5,9 +5,11 @@
 //!   error_budget.rs      allowed error              -> allowed errors of its parts
 //!   mean_rates.rs        motion, period             -> mean rates of the phases
 //!   half_period.rs       mean rates                 -> cells and segments
-//!     path.rs              next span                  -> power series of the phases, polynomials of a and b
-//!     half_period/*        polynomials on a segment   -> stored coefficients, bounds on errors and speeds
+//!     tabulation.rs        half a period              -> spans, cells and segments
+//!     path.rs              a span                     -> power series of the phases, polynomials of a and b
+//!     stored_segment.rs    polynomials on a segment   -> stored coefficients, bounds on errors and speeds
 //!   launch_clock.rs      mean rates, launch phases  -> clock
+//!   error_bound.rs       half a period, mean rates  -> error bounds
 //! ```
 //!
 //! The tabulated a and b are α and β without their mean rotation. Three phases would be tabulated more simply, but a tick would then take a
@@ -25,9 +27,13 @@ mod mean_rates;
 
 mod path;
 
+mod segment_bounds;
+
 mod half_period;
 
 mod launch_clock;
+
+mod error_bound;
 
 mod set_up;
 

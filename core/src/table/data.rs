@@ -2,14 +2,6 @@
 
 pub(super) mod cell;
 
-mod tick;
-
-mod instant;
-
-mod step;
-
-pub(super) mod phases;
-
 mod clock;
 
 mod error_bound;
@@ -24,11 +16,7 @@ pub use baked::{Baked, BakedError};
 pub use cell::{MAX_SEGMENTS, MIN_SEGMENTS};
 pub use clock::Clock;
 pub use error_bound::ErrorBound;
-pub(crate) use instant::Instant;
 pub use memory::TableMemory;
-pub(crate) use phases::Phases;
-pub(crate) use step::Step;
 pub use table::{SizedTable, Table, TableF32, TableF64};
 #[cfg(feature = "fixed")]
 pub use table::{TableQ15, TableQ31};
-pub use tick::Tick;

@@ -57,15 +57,14 @@ fn refused(baked: &Baked<f32, 25>, change: Change) -> Option<BakedError> {
 fn a_bit_flipped_anywhere_is_refused() {
     let motion = vectors::motion("exact_generic_pp");
     let baked = SizedTable::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
-    let changes: [Change; 18] = [
+    let changes: [Change; 17] = [
         |baked| baked.clock.epoch += 1,
         |baked| baked.clock.tip_start[3] ^= 1,
-        |baked| baked.clock.tip_step[0] ^= 1,
         |baked| baked.clock.tip_sign_changes ^= 1,
         |baked| baked.clock.has_turning_points = !baked.clock.has_turning_points,
         |baked| baked.crc32 ^= 1 << 31,
         |baked| baked.clock.first_phases[1] ^= 1 << 63,
-        |baked| baked.clock.step[2][0] ^= 1,
+        |baked| baked.clock.increments[2][0] ^= 1,
         |baked| baked.clock.whole_turns[0] ^= 1,
         |baked| baked.clock.ticks_per_time[1] = -baked.clock.ticks_per_time[1],
         |baked| baked.error_bound.constant = f64::from_bits(baked.error_bound.constant.to_bits() ^ 1),

@@ -4,23 +4,22 @@ mod stored_segment;
 
 mod tabulation;
 
-mod bound;
-
-use stored_segment::{SegmentBounds, store_polynomial};
+use stored_segment::store_polynomial;
 use tabulation::Tabulation;
 
 use super::error_budget::ErrorBudget;
 use super::mean_rates::MeanRates;
 use super::path::polynomial::Polynomial;
 use super::path::{Path, PathScratch};
+use super::segment_bounds::SegmentBounds;
 use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
 use crate::phase::Phase;
 use crate::scalar::Float;
-use crate::table::data::Phases;
 use crate::table::data::cell::CELLS;
 use crate::table::evaluation::TableScalar;
+use crate::table::time::Phases;
 
 /// Quantities of half a period besides its segments.
 #[derive(Debug)]
@@ -30,9 +29,9 @@ pub(super) struct HalfPeriod {
     pub(super) launch_phases: Phases<Phase>,
     pub(super) cells: [u16; CELLS],
     pub(super) segment_count: usize,
-    bounds: SegmentBounds,
+    pub(super) bounds: SegmentBounds,
     /// Constant orientation error, without the roundings of a tick, rad.
-    error: f64,
+    pub(super) error: f64,
 }
 
 impl HalfPeriod {

@@ -5,9 +5,9 @@ use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
 use crate::table::data::cell::MIN_SEGMENTS;
-use crate::table::data::phases::is_falling;
-use crate::table::data::{Clock, Instant, Phases, Step, Table, Tick};
+use crate::table::data::{Clock, Table};
 use crate::table::evaluation::TableScalar;
+use crate::table::time::{Increment, Instant, Phases, Tick, is_falling};
 
 impl<W: Float> Clock<W> {
     /// Clock of a motion; `set_tip_angle_at_launch` adds [`Clock::tip_start`].
@@ -26,17 +26,15 @@ impl<W: Float> Clock<W> {
         // in `u64`, because LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is a constant
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
         let turns = rates.map(|rate| rate * length);
-        let steps = turns.map(Step::from);
-        let step = steps.map(|step| step.fraction);
-        let first_phases =
-            launch.zip_map(step, |phase, step| WrappedPhase::from_phase(phase).minus(step.times(ticks)));
+        let increments = turns.map(Increment::from);
+        let fractions = increments.map(|increment| increment.fraction);
+        let first_phases = launch.zip_map(fractions, |phase, fraction| {
+            WrappedPhase::from_phase(phase).minus(fraction.times(ticks))
+        });
         let [alpha_winding, beta_winding] = motion.windings();
         let tip_sign_changes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
-        // each zero of α or β replaces half a turn a period by a passage
-        let tip_turns =
-            turns.alpha + turns.beta - turns.nutation * Extended::from(0.5 * f64::from(tip_sign_changes));
         Self {
-            step: step.map(WrappedPhase::words).into_array(),
+            increments: fractions.map(WrappedPhase::words).into_array(),
             tip_start_quarter_turns: if alpha_winding == 0 {
                 motion.signs().l_plus_n.as_i32() as i8
             } else {
@@ -51,9 +49,8 @@ impl<W: Float> Clock<W> {
             mean_sum_rate: W::from_f64(((rates.alpha + rates.beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
             first_phases: first_phases.map(WrappedPhase::leading_bits).into_array(),
-            whole_turns: steps.map(|step| step.whole_turns).into_array(),
+            whole_turns: increments.map(|increment| increment.whole_turns).into_array(),
             ticks_per_time: tick.rate().to_f64_pair(),
-            tip_step: tip_turns.to_phase().words(),
             epoch,
             ..Self::ZERO
         }

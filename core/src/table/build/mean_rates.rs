@@ -3,7 +3,7 @@
 use crate::motion::period::Period;
 use crate::motion::{LaunchRounding, Motion};
 use crate::scalar::{Extended, Float, Ring};
-use crate::table::data::Phases;
+use crate::table::time::Phases;
 
 /// Relative error of the number of ticks in a unit of time, stored as the sum of two `f64`.
 const STORED: f64 = 1.0 / (1_u128 << 106) as f64;

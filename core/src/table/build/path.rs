@@ -15,7 +15,7 @@ use crate::motion::ellipses::Ellipses;
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Real, Ring};
-use crate::table::data::Phases;
+use crate::table::time::Phases;
 use expansion::{Expansion, ExpansionPoint, PathPhases};
 use launch_search::LaunchSearch;
 use polynomial::Polynomial;

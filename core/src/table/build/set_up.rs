@@ -9,8 +9,9 @@ use crate::body::{ParameterError, check};
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::table::data::cell::{MAX_SEGMENTS, MIN_SEGMENTS};
-use crate::table::data::{Clock, SizedTable, Table, TableMemory, Tick};
+use crate::table::data::{Clock, SizedTable, Table, TableMemory};
 use crate::table::evaluation::TableScalar;
+use crate::table::time::Tick;
 
 /// Reason why a motion has no table.
 #[derive(Clone, Copy, Debug, PartialEq)]

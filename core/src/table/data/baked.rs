@@ -12,7 +12,7 @@ use crate::table::evaluation::{TableScalar, range};
 use crc32::Crc32;
 
 /// Version of the format.
-const FORMAT: u32 = 9;
+const FORMAT: u32 = 10;
 
 /// Fields of a [`SizedTable`] as `toytop bake SCENARIO` writes them, in [the table format](crate::table_format).
 ///
@@ -95,13 +95,12 @@ impl<R: TableScalar> Table<R> {
         ];
         Crc32::EMPTY
             .u32(&[FORMAT, R::CODE, self.segments.len() as u32, R::TERMS as u32])
-            .u32(clock.step.as_flattened())
+            .u32(clock.increments.as_flattened())
             .u64(&clock.first_phases)
             .i64(&[clock.epoch])
             .i64(&clock.whole_turns)
             .f64(&clock.ticks_per_time)
             .u32(&clock.tip_start)
-            .u32(&clock.tip_step)
             .u8(&flags)
             .f64(&self.error_bound.numbers())
             .f64(&self.rate_error_bound.numbers())

@@ -2,26 +2,25 @@
 
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
-use crate::table::data::instant::Instant;
-use crate::table::data::phases::Phases;
-use crate::table::data::step::Step;
+use crate::table::time::{Increment, Instant, Phases};
 
 /// Numbers of a table that do not depend on the segment, as in [the table format](crate::table_format).
 ///
 /// | for | fields |
 /// |---|---|
-/// | orientation at a tick | `first_phases`, `step` |
+/// | orientation at a tick | `first_phases`, `increments` |
 /// | orientation at a time | also `ticks_per_time`, `whole_turns` |
 /// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `mean_sum_rate`, `axial_rate` |
-/// | tip angle | `tip_start`, `tip_step`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
+/// | tip angle | `tip_start`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
 ///
-/// `tip_step`, `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored, so that a reader need not compute them.
+/// `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored, because their conversion would cost an angular velocity
+/// its time on a chip.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {
     /// Increments per tick of the nutation phase and of the mean phases Λ_α and Λ_β, without whole turns, in units of 2^-96 turns, lowest word first.
-    pub step: [[u32; 3]; 3],
+    pub increments: [[u32; 3]; 3],
     /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
     pub tip_start_quarter_turns: i8,
     /// Number of the parameters α and β that pass through 0.
@@ -40,21 +39,19 @@ pub struct Clock<W> {
     pub axial_rate: W,
     /// Nutation phase and mean phases at tick `i64::MIN`, in units of 2^-64 turns.
     pub first_phases: [u64; 3],
-    /// Whole turns of the increments per tick, rounded down: `step` is added to them.
+    /// Whole turns of the increments per tick, rounded down: `increments` are added to them.
     pub whole_turns: [i64; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
     /// Mean tip angle at tick 0, with whole turns, in units of 2^-96 turns, lowest word first.
     pub tip_start: [u32; 4],
-    /// Increment of the mean tip angle per tick, in units of 2^-96 turns, lowest word first.
-    pub tip_step: [u32; 4],
     /// Tick of the launch, from which the error bounds grow.
     pub epoch: i64,
 }
 
 impl<W: Float> Clock<W> {
     pub(crate) const ZERO: Self = Self {
-        step: [[0; 3]; 3],
+        increments: [[0; 3]; 3],
         tip_start_quarter_turns: 0,
         tip_sign_changes: 0,
         tip_exists: false,
@@ -67,7 +64,6 @@ impl<W: Float> Clock<W> {
         whole_turns: [0; 3],
         ticks_per_time: [0.0; 2],
         tip_start: [0; 4],
-        tip_step: [0; 4],
         epoch: 0,
     };
 }
@@ -80,30 +76,31 @@ impl<W: Copy> Clock<W> {
     }
 
     #[inline(always)]
-    pub(crate) fn steps(&self) -> Phases<WrappedPhase> {
-        Phases::from_array(self.step).map(WrappedPhase::new)
+    pub(crate) fn increments(&self) -> Phases<WrappedPhase> {
+        Phases::from_array(self.increments).map(WrappedPhase::new)
     }
 
     /// Increments with whole turns.
     #[inline(always)]
-    pub(crate) fn whole_steps(&self) -> Phases<Step> {
+    pub(crate) fn whole_increments(&self) -> Phases<Increment> {
         let whole_turns = Phases::from_array(self.whole_turns);
-        whole_turns.zip_map(self.steps(), |whole_turns, fraction| Step { whole_turns, fraction })
+        whole_turns.zip_map(self.increments(), |whole_turns, fraction| Increment { whole_turns, fraction })
     }
 
     /// Phases at tick n.
     #[inline(always)]
     pub(crate) fn phases_at_tick(&self, n: i64) -> Phases<WrappedPhase> {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
-        let after =
-            |first: u64, step: [u32; 3]| WrappedPhase::new(step).times(since_first).plus_leading_bits(first);
+        let after = |first: u64, increment: [u32; 3]| {
+            WrappedPhase::new(increment).times(since_first).plus_leading_bits(first)
+        };
         let [nutation, alpha, beta] = &self.first_phases;
-        // by reference: an array of all steps would take nine registers at once
-        let [nutation_step, alpha_step, beta_step] = &self.step;
+        // by reference: an array of all increments would take nine registers at once
+        let [nutation_increment, alpha_increment, beta_increment] = &self.increments;
         Phases {
-            nutation: after(*nutation, *nutation_step),
-            alpha: after(*alpha, *alpha_step),
-            beta: after(*beta, *beta_step),
+            nutation: after(*nutation, *nutation_increment),
+            alpha: after(*alpha, *alpha_increment),
+            beta: after(*beta, *beta_increment),
         }
     }
 
@@ -113,21 +110,22 @@ impl<W: Copy> Clock<W> {
     }
 
     /// Increment of the mean tip angle per tick.
-    pub(crate) fn tip_step(&self) -> Phase {
-        Phase::from_words(self.tip_step)
+    pub(crate) fn tip_increment(&self) -> Phase {
+        self.mean_tip_advance(self.whole_increments().map(Increment::to_phase))
     }
 
-    /// Mean tip angle at an instant. Each zero of α or β adds half a turn.
+    /// Advance of the mean tip angle from those of the phases. Each zero of α or β replaces half a turn a period by a passage.
+    fn mean_tip_advance(&self, Phases { nutation, alpha, beta }: Phases<Phase>) -> Phase {
+        alpha + beta - Phase::from_bits(nutation.to_bits() >> 1) * self.tip_sign_changes.into()
+    }
+
+    /// Mean tip angle at an instant.
     ///
     /// * `nutation`: 64 leading bits of the nutation phase then
     pub(in crate::table) fn mean_tip(&self, Instant { tick, fraction }: Instant, nutation: u64) -> Phase {
-        let zeros = i64::from(self.tip_sign_changes);
-        let half = |phase: Phase| Phase::from_bits(phase.to_bits() >> 1);
-        let in_tick = self.whole_steps().map(|step| step.advance_in_tick(fraction));
-        let in_whole_ticks = Phase::from_bits(self.tip_step().to_bits().wrapping_mul(tick));
-        let passages = Phase::from_bits(i128::from(nutation as i64) << 31) * zeros;
-        Phase::from_words(self.tip_start) + in_whole_ticks + in_tick.alpha + in_tick.beta
-            - half(in_tick.nutation * zeros)
-            + passages
+        let in_whole_ticks = Phase::from_bits(self.tip_increment().to_bits().wrapping_mul(tick));
+        let in_tick = self.whole_increments().map(|increment| increment.advance_in_tick(fraction));
+        let passages = Phase::from_bits(i128::from(nutation as i64) << 31) * self.tip_sign_changes.into();
+        Phase::from_words(self.tip_start) + in_whole_ticks + self.mean_tip_advance(in_tick) + passages
     }
 }

@@ -1,9 +1,10 @@
 //! Samples of a table at a tick and at a time.
 
 use crate::phase::WrappedPhase;
-use crate::table::data::{Instant, Phases, Table};
+use crate::table::data::Table;
 use crate::table::evaluation::TableScalar;
 use crate::table::read::sample::Sample;
+use crate::table::time::{Instant, Phases};
 
 impl<R: TableScalar> Table<R> {
     /// Sample of the motion at tick n, of either sign.
@@ -29,8 +30,8 @@ impl<R: TableScalar> Table<R> {
     pub(crate) fn at_instant(&self, instant: Instant) -> Sample<'_, R> {
         let since_first = Instant { tick: instant.tick.wrapping_sub(i64::MIN.into()), ..instant };
         let phases = Phases::from_array(self.clock.first_phases)
-            .zip_map(self.clock.whole_steps(), |first, step| {
-                first.wrapping_add(step.advance(since_first).leading_bits())
+            .zip_map(self.clock.whole_increments(), |first, increment| {
+                first.wrapping_add(increment.advance(since_first).leading_bits())
             });
         Sample { table: self, phases, instant }
     }

@@ -1,9 +1,10 @@
 //! Cursor: consecutive ticks by adding increments to the phases.
 
 use crate::phase::WrappedPhase;
-use crate::table::data::{Instant, Phases, Table};
+use crate::table::data::Table;
 use crate::table::evaluation::TableScalar;
 use crate::table::read::sample::Sample;
+use crate::table::time::{Instant, Phases};
 use core::marker::PhantomData;
 
 /// Phases of consecutive ticks of one table, by three additions each. Pass that table to [`Cursor::next`]: a table of another scalar does
@@ -34,7 +35,7 @@ impl<R: TableScalar> Cursor<R> {
     #[inline(always)]
     pub fn next<'a>(&mut self, table: &'a Table<R>) -> Sample<'a, R> {
         debug_assert!(self.belongs_to(table), "a cursor belongs to the table that made it");
-        self.phases.update(table.clock.steps(), WrappedPhase::plus);
+        self.phases.update(table.clock.increments(), WrappedPhase::plus);
         let (low, carry) = self.low.overflowing_add(1);
         self.low = low;
         if carry {
@@ -67,7 +68,7 @@ impl<R: TableScalar> Table<R> {
     /// Cursor whose first sample is at tick `first`.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<R> {
-        let phases = self.clock.phases_at_tick(first).zip_map(self.clock.steps(), WrappedPhase::minus);
+        let phases = self.clock.phases_at_tick(first).zip_map(self.clock.increments(), WrappedPhase::minus);
         Cursor { phases, low: 0, high: first.wrapping_sub(1), scalar: PhantomData }
     }
 }

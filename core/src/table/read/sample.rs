@@ -5,9 +5,10 @@ use crate::complex::Complex;
 use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
-use crate::table::data::{Instant, Phases, Table};
+use crate::table::data::Table;
 use crate::table::evaluation::{Coefficient, NumberOf, TableScalar, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
+use crate::table::time::{Instant, Phases};
 
 /// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
 /// [`Sample::attitude_state`] do so once for several quantities.

@@ -5,12 +5,12 @@
 
 use crate::complex::Complex;
 use crate::phase::Phase;
-use crate::table::data::Phases;
 use crate::table::data::Table;
-use crate::table::data::phases::is_falling;
 use crate::table::evaluation::{TableScalar, a_b_at_centre, tabulated_a_b};
 use crate::table::read::located_segment::LocatedSegment;
 use crate::table::read::sample::Sample;
+use crate::table::time::Phases;
+use crate::table::time::is_falling;
 
 impl<R: TableScalar> Sample<'_, R> {
     /// Tip angle φ = arg c, continuous in time, modulo 2^32 turns; `None` for an axis that stays vertical.
@@ -35,7 +35,7 @@ impl<R: TableScalar> Table<R> {
     #[must_use]
     pub fn mean_tip_angle_rate(&self) -> f64 {
         let [ticks_per_time, _] = self.clock.ticks_per_time;
-        if self.clock.tip_exists { self.clock.tip_step().to_radians() * ticks_per_time } else { 0.0 }
+        if self.clock.tip_exists { self.clock.tip_increment().to_radians() * ticks_per_time } else { 0.0 }
     }
 
     /// Argument of the tabulated ab, followed from u = e₁ from segment centre to segment centre. Near ab = 0 it is the direction of the passage.

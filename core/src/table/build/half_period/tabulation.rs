@@ -11,9 +11,10 @@
 //! A length that is not accurate is halved. Twice the last length is tried again: for segments at each cell, for spans where two of them would fit.
 
 use super::HalfPeriod;
-use super::stored_segment::{SegmentBounds, store_segment};
+use super::stored_segment::store_segment;
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::build::path::{MIN_SPAN_DEPTH, Path};
+use crate::table::build::segment_bounds::SegmentBounds;
 use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
 use crate::table::evaluation::TableScalar;
 

@@ -5,7 +5,7 @@ use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
-use crate::table::data::Phases;
+use crate::table::time::Phases;
 
 /// Search for the phases of a launch, which ends once the path has reached its χ.
 #[derive(Debug)]

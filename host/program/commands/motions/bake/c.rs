@@ -109,10 +109,10 @@ fn initialisers<R: TableScalar>(table: &Table<R>, crc32: u32) -> String {
     [
         format!("{FORMAT}u, {crc32:#x}u, {}u, {}u, ~{rows}u", table.capacity(), R::TERMS),
         format!("{}, {:#x}u", words(&clock.first_phases), clock.epoch as u64),
-        format!("{{{}}}", clock.step.map(phase).join(", ")),
+        format!("{{{}}}", clock.increments.map(phase).join(", ")),
         words(&clock.whole_turns.map(|turns| turns as u64)),
         [&clock.ticks_per_time, bounds.as_flattened()].map(doubles).join(", "),
-        [clock.tip_start, clock.tip_step].map(|angle| words(&angle.map(u64::from))).join(", "),
+        words(&clock.tip_start.map(u64::from)),
         format!(
             "{{{}, {}, {}}}, {}",
             clock.tip_start_quarter_turns as u8,

@@ -51,8 +51,8 @@ pub static {name}: toytop::SizedTable{size} = match (toytop::Baked::{size} {{
         format = Baked::<R, 16>::FORMAT,
         clock = fields!(
             table.clock();
-            step, tip_start_quarter_turns, tip_sign_changes, tip_exists, has_turning_points, twice_tip_scale, x_rate,
-            mean_sum_rate, axial_rate, first_phases, whole_turns, ticks_per_time, tip_start, tip_step, epoch
+            increments, tip_start_quarter_turns, tip_sign_changes, tip_exists, has_turning_points, twice_tip_scale, x_rate,
+            mean_sum_rate, axial_rate, first_phases, whole_turns, ticks_per_time, tip_start, epoch
         ),
         error_bound = table.error_bound(),
         rate_error_bound = table.rate_error_bound(),

@@ -17,12 +17,11 @@ typedef struct {
     uint32_t not_rows;          /* ~(segments * terms): a changed size must not lead the check beyond the table */
     uint64_t first_phases[3];   /* phases at tick INT64_MIN, from which ticks are unsigned numbers */
     uint64_t epoch;             /* tick of the launch, as an unsigned number modulo 2^64 */
-    toytop_phase step[3];       /* increments in a tick, without whole turns */
-    uint64_t whole_turns[3];    /* of the increments, to which step is added, modulo 2^64 */
+    toytop_phase increments[3]; /* increments in a tick, without whole turns */
+    uint64_t whole_turns[3];    /* of the increments, to which they are added, modulo 2^64 */
     uint64_t ticks_per_time[2]; /* bits of doubles */
     uint64_t error_bounds[4];   /* bits of doubles: of orientation and rates, each at tick 0 and its growth in a tick */
     uint32_t tip_start[4];      /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
-    uint32_t tip_step[4];       /* increment of the mean tip angle in a tick */
     uint8_t flags[3];           /* quarter turns of alpha beta at u = e1, parameters that pass 0, whether the tip angle exists */
     uint8_t has_turning_points;
     uint16_t cells[16];         /* for each cell of half a period: its segments */
@@ -42,7 +41,7 @@ TOYTOP_API toytop_cursor toytop_at(const toytop_clock *clock, int64_t tick) {
     toytop_cursor at = {{{0, 0}, {0, 0}, {0, 0}}, tick};
     uint64_t n = (uint64_t)tick ^ (uint64_t)1 << 63; /* ticks since INT64_MIN */
     for (int i = 0; i < 3; i++) {
-        toytop_phase step = clock->step[i];
+        toytop_phase step = clock->increments[i];
         uint64_t lowest = (uint64_t)step.low * (uint32_t)n;
         at.phase[i].low = (uint32_t)lowest;
         at.phase[i].leading = step.leading * n + (uint64_t)step.low * (n >> 32) + (lowest >> 32) + clock->first_phases[i];
@@ -52,7 +51,7 @@ TOYTOP_API toytop_cursor toytop_at(const toytop_clock *clock, int64_t tick) {
 
 /* Moves a cursor to the next tick. */
 TOYTOP_API void toytop_move_on(const toytop_clock *clock, toytop_cursor *at) {
-    for (int i = 0; i < 3; i++) at->phase[i] = toytop_sum(at->phase[i], clock->step[i]);
+    for (int i = 0; i < 3; i++) at->phase[i] = toytop_sum(at->phase[i], clock->increments[i]);
     at->tick = (int64_t)((uint64_t)at->tick + 1);
 }
 
@@ -86,13 +85,12 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     sum = toytop_crc(sum, &scalar, 1, 4);
     sum = toytop_crc(sum, &clock->segments, 1, 4);
     sum = toytop_crc(sum, &clock->terms, 1, 4);
-    for (int i = 0; i < 3; i++) sum = toytop_crc(toytop_crc(sum, &clock->step[i].low, 1, 4), &clock->step[i].leading, 1, 8);
+    for (int i = 0; i < 3; i++) sum = toytop_crc(toytop_crc(sum, &clock->increments[i].low, 1, 4), &clock->increments[i].leading, 1, 8);
     sum = toytop_crc(sum, clock->first_phases, 3, 8);
     sum = toytop_crc(sum, &clock->epoch, 1, 8);
     sum = toytop_crc(sum, clock->whole_turns, 3, 8);
     sum = toytop_crc(sum, clock->ticks_per_time, 2, 8);
     sum = toytop_crc(sum, clock->tip_start, 4, 4);
-    sum = toytop_crc(sum, clock->tip_step, 4, 4);
     sum = toytop_crc(sum, clock->flags, 3, 1);
     sum = toytop_crc(sum, &clock->has_turning_points, 1, 1);
     sum = toytop_crc(sum, clock->error_bounds, 4, 8);
@@ -132,7 +130,7 @@ static inline int64_t toytop_later(int64_t tick, int64_t steps) {
 TOYTOP_API int toytop_next_turning_point(const toytop_clock *clock, int64_t n, int64_t *tick, int *upper) {
     const uint64_t close = (uint64_t)1 << 14; /* 2^-50 turns: a phase within this distance counts as the point */
     const uint64_t half = (uint64_t)1 << 63;
-    toytop_phase step = clock->step[0];
+    toytop_phase step = clock->increments[0];
     int64_t from = n == INT64_MIN ? n : n - 1;
     toytop_phase ahead, now;
     if (!clock->has_turning_points || clock->whole_turns[0] != 0 || step.leading >= half) return 0;

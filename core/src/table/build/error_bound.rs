@@ -1,11 +1,12 @@
 //! Error bounds of a table, with the terms of [the error bound](crate::error_bound).
 
-use super::HalfPeriod;
+use super::half_period::HalfPeriod;
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring};
 use crate::table::build::mean_rates::MeanRates;
-use crate::table::data::{ErrorBound, Phases};
+use crate::table::data::ErrorBound;
 use crate::table::evaluation::TickErrors;
+use crate::table::time::Phases;
 
 /// One turn in rad.
 const TURN: f64 = 2.0 * core::f64::consts::PI;
@@ -61,8 +62,8 @@ mod tests {
     use super::*;
     use crate::phase::Phase;
     use crate::table::build::error_budget::ErrorBudget;
-    use crate::table::build::half_period::stored_segment::SegmentBounds;
     use crate::table::build::path::PathScratch;
+    use crate::table::build::segment_bounds::SegmentBounds;
     use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::TableScalar;
     use crate::{Release, SizedTable, State, Tick, Top, TopParameters};
@@ -115,7 +116,7 @@ mod tests {
         let [orientation, rates] = bounds.map(|bound| [bound.constant, bound.per_tick]);
         let steps = half_period.error - segment;
         let coordinate = f32::ERRORS.coordinate * half_period.bounds.half_segment_change();
-        let page = include_str!("../../../../docs/error_bound.md");
+        let page = include_str!("../../../docs/error_bound.md");
         for number in
             [segment, steps, f32::ERRORS.orientation, coordinate].into_iter().chain(orientation).chain(rates)
         {
@@ -135,7 +136,7 @@ mod tests {
             let bound = table.error_bound().constant;
             let unit = 10_f64.powi(bound.log10().floor() as i32 - 1);
             let cell = format!("| {:.1e} |", (bound / unit).ceil() * unit);
-            assert!(include_str!("../../evaluation.rs").contains(&cell), "{cell}");
+            assert!(include_str!("../evaluation.rs").contains(&cell), "{cell}");
         }
         check::<f32, 25>();
         check::<f64, 48>();

@@ -1,18 +1,23 @@
-//! Step: increment of a phase per tick.
+//! Increment of a phase per tick.
 
 use crate::integer::product_u64;
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::Extended;
-use crate::table::data::instant::Instant;
+use crate::table::time::Instant;
 
 /// Increment of a phase per tick, in turns: a whole number plus a fraction in [0, 1).
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Step {
+pub(crate) struct Increment {
     pub(crate) whole_turns: i64,
     pub(crate) fraction: WrappedPhase,
 }
 
-impl Step {
+impl Increment {
+    /// Increment modulo 2^32 turns.
+    pub(crate) fn to_phase(self) -> Phase {
+        Phase::TURN * self.whole_turns + self.fraction.to_phase()
+    }
+
     pub(crate) fn to_turns(self) -> Extended {
         Extended::from(self.whole_turns) + self.fraction.to_phase().into()
     }
@@ -32,8 +37,8 @@ impl Step {
     }
 }
 
-/// Step of a number of turns, rounded to 2^-96 turns.
-impl From<Extended> for Step {
+/// Increment of a number of turns, rounded to 2^-96 turns.
+impl From<Extended> for Increment {
     fn from(turns: Extended) -> Self {
         let Instant { tick, fraction } = turns.into();
         Self { whole_turns: tick as i64, fraction: WrappedPhase::from_phase(fraction) }
