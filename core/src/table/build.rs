@@ -29,6 +29,10 @@ mod path;
 
 mod segment_bounds;
 
+mod stored_segment;
+
+mod tabulation;
+
 mod half_period;
 
 mod launch_clock;

@@ -79,7 +79,7 @@ fn a_bit_flipped_anywhere_is_refused() {
     for (index, change) in changes.into_iter().enumerate() {
         assert!(matches!(refused(&baked, change), Some(BakedError::Checksum { .. })), "{index}");
     }
-    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 10 }));
+    assert_eq!(refused(&baked, |baked| baked.format += 1), Some(BakedError::Format { found: 11 }));
     // every bit of every coefficient
     for segment in 0..25 {
         for bit in 0..5 * 4 * 32 {

@@ -42,7 +42,7 @@ fn epochs_agree<R: TableScalar + Into<f64>>() {
         .flat_map(|name| [(1000, 1), (16, 1), (1, 60), (1, 86_400), (7, u32::MAX)].map(|ratio| (name, ratio)))
     {
         let original = table::<R>(name, tick(ticks, seconds), 0);
-        let [[_, middle, high], ..] = original.clock().step;
+        let [[_, middle, high], ..] = original.clock().increments;
         let turns_per_tick = original.clock().whole_turns[0] as f64
             + f64::from(high) * 2_f64.powi(-32)
             + f64::from(middle) * 2_f64.powi(-64);

@@ -23,7 +23,7 @@ impl HalfPeriod {
         let MeanRates { rates, errors: rate_errors } = self.mean_rates;
         let Phases { nutation, alpha, beta } = rate_errors
             .zip_map(rates, |error, rate| error * tick.to_f64() + increment_error(rate * tick).abs());
-        let bounds = &self.bounds;
+        let bounds = &self.division.bounds;
         let angular = f64::from(bounds.angular_speed);
         let orientation = ErrorBound {
             constant: self.error + errors.orientation + errors.coordinate * bounds.half_segment_change(),
@@ -64,6 +64,7 @@ mod tests {
     use crate::table::build::error_budget::ErrorBudget;
     use crate::table::build::path::PathScratch;
     use crate::table::build::segment_bounds::SegmentBounds;
+    use crate::table::build::tabulation::Division;
     use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::TableScalar;
     use crate::{Release, SizedTable, State, Tick, Top, TopParameters};
@@ -78,7 +79,10 @@ mod tests {
                     rates: Phases::from_array([rate; 3]),
                     errors: Phases::from_array(errors),
                 },
-                bounds: SegmentBounds { angular_speed: 5.0, ..SegmentBounds::ZERO },
+                division: Division {
+                    bounds: SegmentBounds { angular_speed: 5.0, ..SegmentBounds::ZERO },
+                    ..Division::ZERO
+                },
                 ..HalfPeriod::ZERO
             };
             let [bound, _] = half_period.error_bounds(f64::TERMS, &f64::ERRORS, &motion, 0.5.into());
@@ -112,10 +116,10 @@ mod tests {
             half_period.compute::<f32>(&motion, &budget, &mut scratch, &mut segments, 25, &mut || {});
         assert!(result.is_some());
         let bounds = half_period.error_bounds(f32::TERMS, &f32::ERRORS, &motion, 0.001.into());
-        let segment = f64::from(half_period.bounds.error);
+        let segment = f64::from(half_period.division.bounds.error);
         let [orientation, rates] = bounds.map(|bound| [bound.constant, bound.per_tick]);
         let steps = half_period.error - segment;
-        let coordinate = f32::ERRORS.coordinate * half_period.bounds.half_segment_change();
+        let coordinate = f32::ERRORS.coordinate * half_period.division.bounds.half_segment_change();
         let page = include_str!("../../../docs/error_bound.md");
         for number in
             [segment, steps, f32::ERRORS.orientation, coordinate].into_iter().chain(orientation).chain(rates)

@@ -1,23 +1,16 @@
 //! Half a nutation period as a table; the other half is its mirror image.
 
-mod stored_segment;
-
-mod tabulation;
-
-use stored_segment::store_polynomial;
-use tabulation::Tabulation;
-
 use super::error_budget::ErrorBudget;
 use super::mean_rates::MeanRates;
 use super::path::polynomial::Polynomial;
 use super::path::{Path, PathScratch};
-use super::segment_bounds::SegmentBounds;
+use super::stored_segment::store_polynomial;
+use super::tabulation::{Division, Tabulation};
 use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
 use crate::phase::Phase;
 use crate::scalar::Float;
-use crate::table::data::cell::CELLS;
 use crate::table::evaluation::TableScalar;
 use crate::table::time::Phases;
 
@@ -27,9 +20,7 @@ pub(super) struct HalfPeriod {
     pub(super) mean_rates: MeanRates,
     /// Nutation phase and mean phases of the launch.
     pub(super) launch_phases: Phases<Phase>,
-    pub(super) cells: [u16; CELLS],
-    pub(super) segment_count: usize,
-    pub(super) bounds: SegmentBounds,
+    pub(super) division: Division,
     /// Constant orientation error, without the roundings of a tick, rad.
     pub(super) error: f64,
 }
@@ -39,9 +30,7 @@ impl HalfPeriod {
     pub(super) const ZERO: Self = Self {
         mean_rates: MeanRates::ZERO,
         launch_phases: Phases::from_array([Phase::ZERO; 3]),
-        cells: [0; CELLS],
-        segment_count: 0,
-        bounds: SegmentBounds::ZERO,
+        division: Division::ZERO,
         error: 0.0,
     };
 
@@ -89,10 +78,10 @@ impl HalfPeriod {
         segments: &mut [R::Segment],
         capacity: usize,
     ) -> Option<()> {
-        Tabulation::<R>::new(self, path, segments, capacity).tabulate()?;
+        Tabulation::<R>::new(&mut self.division, path, segments, capacity).tabulate()?;
         self.launch_phases = path.launch.phases;
         let [delay, residual] = path.errors();
-        let bounds = &self.bounds;
+        let bounds = &self.division.bounds;
         self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
         Some(())
     }
@@ -105,6 +94,6 @@ impl HalfPeriod {
             let [plus, minus] = ellipse.exponentials();
             store_polynomial::<R>(first, index, &Polynomial::constant(plus + minus));
         }
-        self.segment_count = 1;
+        self.division.segment_count = 1;
     }
 }

@@ -5,6 +5,7 @@ use core::fmt;
 use super::error_budget::ErrorBudget;
 use super::half_period::HalfPeriod;
 use super::path::PathScratch;
+use super::tabulation::Division;
 use crate::body::{ParameterError, check};
 use crate::constants::Regime;
 use crate::motion::Motion;
@@ -165,7 +166,8 @@ impl<R: TableScalar> Table<R> {
         pause: &mut dyn FnMut(),
     ) {
         pause();
-        let HalfPeriod { cells, segment_count, mean_rates, launch_phases, .. } = half_period;
+        let HalfPeriod { division: Division { cells, segment_count, .. }, mean_rates, launch_phases, .. } =
+            half_period;
         self.cells = *cells;
         self.segments.get_mut(*segment_count..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, *launch_phases);
@@ -198,6 +200,6 @@ impl<R: TableScalar, S: ?Sized> Table<R, S> {
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Result<u32, SetUpError> {
         let workspace = &mut Workspace::new();
         tabulate::<R>(motion, truncation, workspace, &mut [R::ZERO_SEGMENT], MAX_SEGMENTS, &mut || {})?;
-        Ok(workspace.half_period.segment_count.max(MIN_SEGMENTS) as u32)
+        Ok(workspace.half_period.division.segment_count.max(MIN_SEGMENTS) as u32)
     }
 }

@@ -10,11 +10,10 @@
 //! A span has whole cells, or a cell has several spans of one length. All segments of a cell have one length, and none crosses the end of a span.
 //! A length that is not accurate is halved. Twice the last length is tried again: for segments at each cell, for spans where two of them would fit.
 
-use super::HalfPeriod;
-use super::stored_segment::store_segment;
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::build::path::{MIN_SPAN_DEPTH, Path};
 use crate::table::build::segment_bounds::SegmentBounds;
+use crate::table::build::stored_segment::store_segment;
 use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
 use crate::table::evaluation::TableScalar;
 
@@ -24,9 +23,21 @@ const CELL_DEPTH: u32 = CELLS.ilog2();
 /// Length of a cell, in shortest segments.
 const CELL_LENGTH: usize = SHORTEST_SEGMENTS / CELLS;
 
+/// Division of half a period into cells and segments.
+#[derive(Debug)]
+pub(super) struct Division {
+    pub(super) cells: [u16; CELLS],
+    pub(super) segment_count: usize,
+    pub(super) bounds: SegmentBounds,
+}
+
+impl Division {
+    pub(super) const ZERO: Self = Self { cells: [0; CELLS], segment_count: 0, bounds: SegmentBounds::ZERO };
+}
+
 /// Tabulation of a path up to a position.
 pub(super) struct Tabulation<'a, 'p, R: TableScalar> {
-    half_period: &'a mut HalfPeriod,
+    division: &'a mut Division,
     path: &'a mut Path<'p, R::RateNumber>,
     segments: &'a mut [R::Segment],
     capacity: usize,
@@ -39,15 +50,15 @@ pub(super) struct Tabulation<'a, 'p, R: TableScalar> {
 }
 
 impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
-    /// Tabulation that begins at u = e₁, with the parameters of [`HalfPeriod::compute`].
+    /// Tabulation that begins at u = e₁, with the parameters of `HalfPeriod::compute`.
     pub(super) fn new(
-        half_period: &'a mut HalfPeriod,
+        division: &'a mut Division,
         path: &'a mut Path<'p, R::RateNumber>,
         segments: &'a mut [R::Segment],
         capacity: usize,
     ) -> Self {
         let (span_depth, depth) = (MIN_SPAN_DEPTH, MIN_DEPTH);
-        Self { half_period, path, segments, capacity, position: 0, span_depth, depth }
+        Self { division, path, segments, capacity, position: 0, span_depth, depth }
     }
 
     /// Tabulates the path to u = e₂; `None` as soon as the segments cannot fit.
@@ -112,7 +123,7 @@ impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
     fn next_cell(&self, depth: u32) -> Option<Interval> {
         let cell = Interval { begin: self.position, depth };
         let least_after = (SHORTEST_SEGMENTS - cell.end()).div_ceil(SHORTEST_SEGMENTS >> MIN_DEPTH);
-        let count = self.half_period.segment_count + cell.part_count(self.depth) + least_after;
+        let count = self.division.segment_count + cell.part_count(self.depth) + least_after;
         (self.depth <= Cell::MAX_DEPTH && count <= self.capacity).then_some(cell)
     }
 
@@ -120,7 +131,7 @@ impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
     #[inline(never)]
     fn store_segments(&mut self, part: Interval, bounds: &mut SegmentBounds) -> Option<()> {
         for segment in part.parts(self.depth) {
-            let number = self.half_period.segment_count + (segment.begin - self.position) / segment.length();
+            let number = self.division.segment_count + (segment.begin - self.position) / segment.length();
             let last = self.segments.len().checked_sub(1)?;
             let stored = self.segments.get_mut(number.min(last))?;
             bounds.include(&store_segment::<R>(self.path, segment, stored));
@@ -134,7 +145,7 @@ impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
 
     /// Completes the next cell, or two, whose segments are stored.
     fn complete_cell(&mut self, cell: Interval, bounds: &SegmentBounds) {
-        let HalfPeriod { cells, segment_count, bounds: all_bounds, .. } = &mut *self.half_period;
+        let Division { cells, segment_count, bounds: all_bounds } = &mut *self.division;
         let first = Interval { begin: cell.begin, depth: self.depth };
         let Cell(entry) = Cell::new(*segment_count, first.number(), self.depth);
         let (begin, count) = (cell.begin / CELL_LENGTH, cell.length() / CELL_LENGTH);
