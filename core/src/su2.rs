@@ -189,7 +189,7 @@ impl<R: Real> Orientation<R> {
         // a square of x could leave the range
         let direction = x.map(|component| component / size);
         let length = dot(direction, direction).sqrt();
-        // libm reduces an angle of any size
+        // libm reduces also an angle that `Extended` cannot
         let (sine, cosine) = libm::sincos(0.5 * length.to_f64() * size.to_f64());
         let scale = R::from_f64(sine) / length;
         let [x1, x2, x3] = direction.map(|component| component * scale);

@@ -19,7 +19,7 @@ use crate::inverse::solve_increasing;
 use crate::orientation::ArgumentOffsets;
 use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
-use toytop::internal::{Unrounded, aperiodic_v};
+use toytop::internal::{ExtendedConstants, aperiodic_v};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -96,7 +96,7 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let Unrounded { a, s, p, g, e, integrals, .. } = motion.into();
+        let ExtendedConstants { a, s, p, g, e, integrals, .. } = motion.into();
         let v = Extended::from(aperiodic_v(motion)?);
         let one_minus_e1 = e.one_minus_e1();
         let constants =

@@ -18,7 +18,7 @@ use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::inverse::solve_increasing;
 use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, elliptic_integral, zeros};
-use toytop::internal::Unrounded;
+use toytop::internal::ExtendedConstants;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -54,7 +54,7 @@ impl E3EqualsE4 {
     /// - e₄²| relative to e₄² - 1, and |e₃ - e₄| relative to e₃ - e₂.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let Unrounded { a, s, g, e, integrals, half_phase, .. } = motion.into();
+        let ExtendedConstants { a, s, g, e, integrals, half_phase, .. } = motion.into();
         let chi = half_phase?;
         if motion.top().support() != Support::Sliding || !e3_is_e4(motion) {
             return None;
@@ -116,7 +116,7 @@ impl E3EqualsE4 {
 }
 
 /// Difference e₃² - e₄², and e₄² - 1 = A/(ps).
-fn squares(&Unrounded { a, s, p, e, .. }: &Unrounded<'_>) -> [Extended; 2] {
+fn squares(&ExtendedConstants { a, s, p, e, .. }: &ExtendedConstants<'_>) -> [Extended; 2] {
     let a_over_ps = a / (p * s);
     [e.e3_minus_one * e.one_plus_e3() - a_over_ps, a_over_ps]
 }

@@ -9,7 +9,7 @@
 //!
 //! The formula needs neither branch points nor a table. |m|² = 2A (h - C ⟨ω, r⟩²/2) + n² follows from the energy h.
 
-use toytop::internal::Unrounded;
+use toytop::internal::ExtendedConstants;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, add_scaled, dot, scaled};
 use toytop::{AttitudeState, Complex, FirstIntegrals, Motion, Phase};
@@ -36,7 +36,7 @@ impl FreeBody {
         if !motion.top().is_torque_free() {
             return None;
         }
-        let Unrounded { a, integrals, half_tau, half_phase, .. } = motion.into();
+        let ExtendedConstants { a, integrals, half_tau, half_phase, .. } = motion.into();
         let top = motion.top();
         let attitude = motion.attitude_at_launch();
         let r = attitude.orientation.axis();

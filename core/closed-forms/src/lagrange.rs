@@ -14,7 +14,7 @@ use crate::elliptic::elementary::{ValueAndSlope, imaginary, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::orientation::{ArgumentOffsets, Periods};
 use crate::theta_quotient::{ThetaQuotient, elliptic_integral, zeros};
-use toytop::internal::Unrounded;
+use toytop::internal::ExtendedConstants;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Regime, Support};
 
@@ -42,7 +42,7 @@ impl Lagrange {
     /// Closed form of a motion; `None` unless the tip is fixed and u oscillates, e₁ < e₂ < e₃.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let Unrounded { a, p, g, e, half_phase, .. } = motion.into();
+        let ExtendedConstants { a, p, g, e, half_phase, .. } = motion.into();
         let chi = half_phase?;
         if motion.top().support() != Support::Fixed
             || motion.top().is_torque_free()

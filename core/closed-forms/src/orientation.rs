@@ -1,7 +1,7 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period.
 
 use crate::elliptic::elementary::{ValueAndSlope, angle, rounded, widened};
-use toytop::internal::Unrounded;
+use toytop::internal::ExtendedConstants;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -22,7 +22,7 @@ impl ArgumentOffsets {
     ///
     /// The derivatives count too, so that the argument is well defined also where a parameter is 0 at t = 0.
     pub(super) fn new(motion: &Motion, [alpha, beta]: [ValueAndSlope; 2]) -> Self {
-        let Unrounded { a, p, g, half_tau, .. } = motion.into();
+        let ExtendedConstants { a, p, g, half_tau, .. } = motion.into();
         let AttitudeState { orientation, rate } = motion.attitude_at_launch();
         // squares of the greatest rates of the motion: of its rotation and of its nutation
         let rotation = rate.alpha.norm_squared() + rate.beta.norm_squared();

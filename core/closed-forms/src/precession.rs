@@ -10,7 +10,7 @@
 //!
 //! Equal signs give the fast precession, different signs the slow one; at the same e and e₃ their product is pg/A.
 
-use toytop::internal::{Unrounded, check, check_finite};
+use toytop::internal::{ExtendedConstants, check, check_finite};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, ParameterError, Regime, Signs, Top};
@@ -56,7 +56,7 @@ impl RegularPrecession {
         if matches!(regime, Regime::Nutating | Regime::Aperiodic) || motion.top().is_torque_free() {
             return None;
         }
-        let Unrounded { a, s, p, g, e, integrals, .. } = motion.into();
+        let ExtendedConstants { a, s, p, g, e, integrals, .. } = motion.into();
         let falls = regime == Regime::SleepingUnstable;
         let zero = Extended::ZERO;
         let one = Extended::ONE;

@@ -7,7 +7,7 @@ use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
 /// Constants of a motion in extended precision.
-pub struct Unrounded<'a> {
+pub struct ExtendedConstants<'a> {
     /// Transverse moment of inertia A.
     pub a: Extended,
     /// Height s of the centre of mass.
@@ -26,7 +26,7 @@ pub struct Unrounded<'a> {
     pub half_phase: Option<Phase>,
 }
 
-impl<'a> From<&'a Motion> for Unrounded<'a> {
+impl<'a> From<&'a Motion> for ExtendedConstants<'a> {
     fn from(motion: &'a Motion) -> Self {
         let Motion { top: Top { a, s, p, g, .. }, branch_points, integrals, half_tau, half_phase, .. } =
             motion;

@@ -75,7 +75,7 @@ pub struct TickErrors {
 pub trait TableScalar: Sealed + Copy + Debug + PartialEq + Neg<Output = Self> + Into<f64> + 'static {
     /// Coefficient of the table.
     #[doc(hidden)]
-    type Coefficient: Coefficient<Quantity = Self::Quantity>;
+    type Coefficient: Coefficient;
     /// Segment: coefficients of Re a, Im a, Re b and Im b side by side, lowest power first.
     type Segment: Copy
         + Debug
@@ -106,13 +106,31 @@ pub trait TableScalar: Sealed + Copy + Debug + PartialEq + Neg<Output = Self> + 
     /// Nearest value of the scalar.
     #[doc(hidden)]
     fn from_number(number: NumberOf<Self>) -> Self;
+    /// Length or rate of a number.
+    #[doc(hidden)]
+    fn to_quantity(number: NumberOf<Self>) -> Self::Quantity;
+
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
-    fn sine_cosine_sums(phase: u64) -> [<Self::Coefficient as Coefficient>::Sum; 2];
+    fn sine_cosine_sums(phase: u64) -> [SumOf<Self>; 2];
+
+    /// Complex number of the table, rotated for the angular velocity by the angle with this sine and cosine.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn rotated_quantity(
+        number: [SumOf<Self>; 2],
+        is_falling: bool,
+        sine_cosine: [SumOf<Self>; 2],
+    ) -> Complex<Self::Quantity> {
+        Self::Coefficient::rotated(number, is_falling, sine_cosine).map(Self::to_quantity)
+    }
 }
 
 /// Number in which a tick of a scalar computes α and β.
 pub(crate) type NumberOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Number;
+
+/// Sum of Horner's rule of a scalar.
+type SumOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Sum;
 
 /// Coefficient of a table, and the operations that depend on its word: rounding in a set-up, evaluation in a tick.
 pub trait Coefficient: Copy + Debug + PartialEq {
@@ -120,9 +138,6 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     type Sum: Coefficient<Sum = Self::Sum> + Default + Into<f64>;
     /// Number in which a tick computes α and β.
     type Number: Ring;
-    /// Type of lengths and rates.
-    type Quantity: Real;
-
     // Set-up: rounding.
 
     /// Coefficient of x^power nearest to a value in units of 2^-62; beyond the range, one that is not safe.
@@ -154,17 +169,6 @@ pub trait Coefficient: Copy + Debug + PartialEq {
         is_falling: bool,
         sine_cosine: [Self::Sum; 2],
     ) -> Complex<Self::Number>;
-    /// The same, for the angular velocity.
-    #[inline(always)]
-    fn rotated_quantity(
-        number: [Self::Sum; 2],
-        is_falling: bool,
-        sine_cosine: [Self::Sum; 2],
-    ) -> Complex<Self::Quantity> {
-        Self::rotated(number, is_falling, sine_cosine).map(Self::number)
-    }
-    /// Rotated number as a length or rate.
-    fn number(number: Self::Number) -> Self::Quantity;
 }
 
 /// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
@@ -199,10 +203,10 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
         alpha: R::Coefficient::rotated([re_a, im_a], falling, a),
         beta: R::Coefficient::rotated([re_b, im_b], falling, b),
     };
-    let alpha = R::Coefficient::rotated_quantity([re_a, im_a], falling, a);
-    let beta = R::Coefficient::rotated_quantity([re_b, im_b], falling, b);
-    let alpha_slope = R::Coefficient::rotated_quantity([re_slope_a, im_slope_a], falling, a);
-    let beta_slope = R::Coefficient::rotated_quantity([re_slope_b, im_slope_b], falling, b);
+    let alpha = R::rotated_quantity([re_a, im_a], falling, a);
+    let beta = R::rotated_quantity([re_b, im_b], falling, b);
+    let alpha_slope = R::rotated_quantity([re_slope_a, im_slope_a], falling, a);
+    let beta_slope = R::rotated_quantity([re_slope_b, im_slope_b], falling, b);
     // towards u = e₂ while u rises, and back while it falls
     let x = if point.is_falling { -x } else { x } * R::Quantity::from_f64((1_u32 << point.halvings) as f64);
     let change = (alpha.conj() * beta_slope - beta * alpha_slope.conj()).scaled(x);

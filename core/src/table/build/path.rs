@@ -203,7 +203,7 @@ impl<'a, F: Float> Path<'a, F> {
             chi_rate,
             psi_rates: [alpha, beta],
             residual_rates: [residual_alpha, residual_beta],
-            chi_error_factor: (unit * self.turning_point_rate / chi_rate.abs()).max(1.0),
+            rotation_per_chi_error: (unit * self.turning_point_rate / chi_rate.abs()).max(1.0),
             negligible: self.budget.negligible_term(half_length),
         };
         let expansion = &mut self.scratch.expansion;

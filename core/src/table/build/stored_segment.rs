@@ -34,7 +34,7 @@ pub(super) fn store_segment<R: TableScalar>(
     let mut slope_squared = 0.0;
     for index in 0..2 {
         let Some(polynomial) = path.polynomial_on(segment, index) else { continue };
-        polynomial.shorten(R::TERMS, i64::MAX);
+        polynomial.drop_last_terms(R::TERMS, i64::MAX);
         truncation_squared += Ring::squared(polynomial.truncation());
         slope_squared += polynomial.slope_squared();
         store_polynomial::<R>(stored, index, polynomial);

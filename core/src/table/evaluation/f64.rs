@@ -26,6 +26,11 @@ impl TableScalar for f64 {
         number
     }
 
+    #[inline]
+    fn to_quantity(number: Self) -> Self {
+        number
+    }
+
     #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [f64; 2] {
         sine_cosine_f64(phase).into()
@@ -35,7 +40,6 @@ impl TableScalar for f64 {
 impl Coefficient for f64 {
     type Sum = Self;
     type Number = Self;
-    type Quantity = Self;
 
     fn nearest(value: i64, _: usize) -> Self {
         value as f64 * TABLE_UNIT
@@ -68,10 +72,5 @@ impl Coefficient for f64 {
     #[inline(always)]
     fn rotated([re, im]: [f64; 2], is_falling: bool, [sine, cosine]: [f64; 2]) -> Complex<f64> {
         Complex::new(re, if is_falling { -im } else { im }) * Complex::new(cosine, sine)
-    }
-
-    #[inline]
-    fn number(number: f64) -> f64 {
-        number
     }
 }

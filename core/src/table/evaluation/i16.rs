@@ -33,16 +33,28 @@ impl TableScalar for I2F14 {
     }
 
     #[inline(always)]
+    fn to_quantity(Wrapping(number): Q14) -> f32 {
+        number.into()
+    }
+
+    #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         let (sine, cosine) = coarse_sine_cosine_q30((phase >> 32) as u32);
         [sine >> 15, cosine >> 15]
+    }
+
+    /// Result from all 32 bits of the number.
+    #[inline(always)]
+    fn rotated_quantity([re, im]: [i32; 2], is_falling: bool, sine_cosine: [i32; 2]) -> Complex<f32> {
+        let [re, im] = [re, im ^ -i32::from(is_falling)].map(|part| Q30(part >> 1).into());
+        let [sine, cosine] = sine_cosine.map(|part| Q30(part << 15).into());
+        Complex::new(re, im) * Complex::new(cosine, sine)
     }
 }
 
 impl Coefficient for i16 {
     type Sum = i32;
     type Number = Q14;
-    type Quantity = f32;
 
     fn nearest(value: i64, power: usize) -> Self {
         /// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.
@@ -91,18 +103,5 @@ impl Coefficient for i16 {
         let [re, im] = [re, im ^ -i32::from(is_falling)].map(|part| part >> 16);
         let rounded = |part: i32| Wrapping(I2F14::from_bits(((part + (1 << 15)) >> 16) as i16));
         Complex::new(rounded(re * cosine - im * sine), rounded(re * sine + im * cosine))
-    }
-
-    /// Result from all 32 bits of the number.
-    #[inline(always)]
-    fn rotated_quantity([re, im]: [i32; 2], is_falling: bool, sine_cosine: [i32; 2]) -> Complex<f32> {
-        let [re, im] = [re, im ^ -i32::from(is_falling)].map(|part| Q30(part >> 1).into());
-        let [sine, cosine] = sine_cosine.map(|part| Q30(part << 15).into());
-        Complex::new(re, im) * Complex::new(cosine, sine)
-    }
-
-    #[inline(always)]
-    fn number(Wrapping(number): Q14) -> f32 {
-        number.into()
     }
 }

@@ -42,6 +42,11 @@ impl TableScalar for f32 {
         number.into()
     }
 
+    #[inline]
+    fn to_quantity(number: Q30) -> f32 {
+        number.into()
+    }
+
     #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         short_sine_cosine_q31((phase >> 32) as u32).into()
@@ -67,6 +72,11 @@ impl TableScalar for I2F30 {
         Self::from_bits(number.0)
     }
 
+    #[inline]
+    fn to_quantity(number: Q30) -> f32 {
+        number.into()
+    }
+
     #[inline(always)]
     fn sine_cosine_sums(phase: u64) -> [i32; 2] {
         sine_cosine_q31((phase >> 32) as u32).into()
@@ -76,7 +86,6 @@ impl TableScalar for I2F30 {
 impl Coefficient for i32 {
     type Sum = Self;
     type Number = Q30;
-    type Quantity = f32;
 
     /// Coefficient in units of 2^-(31 + power). It has half a unit more, because the product added to it is rounded down. The constant has none: a
     /// complement changes its sign.
@@ -124,11 +133,6 @@ impl Coefficient for i32 {
             Q30(high_product(!im, sine) + high_product(re, cosine)),
             Q30(high_product(im, cosine) + high_product(re, sine)),
         )
-    }
-
-    #[inline(always)]
-    fn number(number: Q30) -> f32 {
-        number.into()
     }
 }
 

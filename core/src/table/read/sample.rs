@@ -6,7 +6,7 @@ use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::Table;
-use crate::table::evaluation::{Coefficient, NumberOf, TableScalar, orientation, orientation_and_omega_body};
+use crate::table::evaluation::{NumberOf, TableScalar, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
 use crate::table::time::{Instant, Phases};
 
@@ -83,7 +83,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn tip(&self) -> Complex<R::Quantity> {
         let Orientation { alpha, beta } = self.unrounded();
-        (alpha * beta).map(R::Coefficient::number).scaled(self.table.clock.twice_tip_scale)
+        (alpha * beta).map(R::to_quantity).scaled(self.table.clock.twice_tip_scale)
     }
 
     /// Angular velocity ω in the fixed frame, rad/s.
@@ -91,7 +91,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body) = self.unrounded_and_omega_body();
-        orientation.map(R::Coefficient::number).adjoint(omega_body)
+        orientation.map(R::to_quantity).adjoint(omega_body)
     }
 
     /// Angular velocity Ω in the body frame, rad/s.
@@ -131,7 +131,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
         let (numbers, omega_body) = self.unrounded_and_omega_body();
-        AttitudeState::from_body(numbers.map(R::Coefficient::number), omega_body)
+        AttitudeState::from_body(numbers.map(R::to_quantity), omega_body)
     }
 
     /// State, with the error of the sample, from which another motion can be launched.
@@ -161,7 +161,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
         let (orientation, omega_body) = self.unrounded_and_omega_body();
-        orientation.map(R::Coefficient::number).axis_rate(omega_body)
+        orientation.map(R::to_quantity).axis_rate(omega_body)
     }
 }
 

@@ -96,7 +96,7 @@ pub(super) struct ExpansionPoint {
     pub(super) psi_rates: [f64; 2],
     pub(super) residual_rates: [f64; 2],
     /// Rotation of the body by an error of χ, over that by an equal error of ρ.
-    pub(super) chi_error_factor: f64,
+    pub(super) rotation_per_chi_error: f64,
     /// Magnitude below which a term at x = 1 is negligible, rad.
     pub(super) negligible: f64,
 }
@@ -114,7 +114,7 @@ pub(super) struct Expansion {
     v: PowerSeries,
     delta: PowerSeries,
     mu: PowerSeries,
-    chi_error_factor: f32,
+    rotation_per_chi_error: f32,
     /// Number of terms; 0 where the series do not converge.
     pub(super) terms: usize,
 }
@@ -130,7 +130,7 @@ impl Expansion {
         v: PowerSeries::ZERO,
         delta: PowerSeries::ZERO,
         mu: PowerSeries::ZERO,
-        chi_error_factor: 0.0,
+        rotation_per_chi_error: 0.0,
         terms: 0,
     };
 
@@ -150,7 +150,7 @@ impl Expansion {
         const ROUNDINGS: f64 = 2.0;
         let size = |rate: &RateSeries| rate.at_origin.abs() + 0.25 * rate.magnitude_of_variation();
         let [alpha, beta] = self.residual.each_ref().map(size);
-        let chi = f64::from(self.chi_error_factor) * size(&self.chi);
+        let chi = f64::from(self.rotation_per_chi_error) * size(&self.chi);
         ROUNDINGS * f64::OPERATION_ERROR * 0.25 * chi.larger_or_nan(alpha.larger_or_nan(beta))
     }
 
@@ -168,7 +168,7 @@ impl Expansion {
         let Some(before) = self.terms.checked_sub(2) else { return f64::INFINITY };
         let term = |k: usize| {
             let [alpha, beta] = self.residual.each_ref().map(|rate| rate.term_size(k, 1.0));
-            self.chi.term_size(k, self.chi_error_factor).larger_or_nan(alpha.larger_or_nan(beta))
+            self.chi.term_size(k, self.rotation_per_chi_error).larger_or_nan(alpha.larger_or_nan(beta))
         };
         let last =
             term(before).larger_or_nan(0.25 * term(before + 1)) * power_of_two(-2 * before as i32) as f32;

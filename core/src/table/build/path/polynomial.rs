@@ -100,13 +100,13 @@ impl Polynomial {
         if !budget.is_negligible_tail(tail) {
             return None;
         }
-        self.shorten(0, most);
+        self.drop_last_terms(0, most);
         self.tail = tail + most as f32;
         Some(())
     }
 
     /// Drops last terms while more than `fewest` remain and the total change is at most `most`.
-    pub(crate) fn shorten(&mut self, fewest: usize, most: i64) {
+    pub(crate) fn drop_last_terms(&mut self, fewest: usize, most: i64) {
         while self.terms > fewest.max(2) {
             let degree = self.terms - 1;
             let last =
@@ -222,7 +222,7 @@ mod tests {
         };
         for terms in 2..MAX_TERMS {
             let mut short = exact;
-            short.shorten(terms, i64::MAX);
+            short.drop_last_terms(terms, i64::MAX);
             assert!(short.parts.iter().all(|part| part.coefficients[terms..].iter().all(|c| *c == 0)));
             let change = greatest(&|x| distance(derivative(&exact, 0, x), derivative(&short, 0, x)));
             let slope = greatest(&|x| distance(derivative(&short, 1, x), [0.0; 2]));
@@ -242,12 +242,12 @@ mod tests {
         };
         let mut series = exact;
         let last = size(&exact, 15);
-        series.shorten(0, last - 1);
+        series.drop_last_terms(0, last - 1);
         assert_eq!(series.terms, 16);
-        series.shorten(0, last);
+        series.drop_last_terms(0, last);
         assert_eq!((series.terms, series.parts.iter().map(|part| part.dropped).sum::<i64>()), (15, last));
         let before = size(&series, 14);
-        series.shorten(0, last + before - 1);
+        series.drop_last_terms(0, last + before - 1);
         assert_eq!(series.terms, 15);
     }
 }

@@ -163,7 +163,7 @@ mod tests {
                     chi_rate: 4.0 * chi,
                     psi_rates: [4.0 * alpha, 4.0 * beta],
                     residual_rates: [4.0 * alpha, 4.0 * beta],
-                    chi_error_factor: (alpha.abs().max(beta.abs()) / chi).max(1.0),
+                    rotation_per_chi_error: (alpha.abs().max(beta.abs()) / chi).max(1.0),
                 };
                 let mut expansion = Expansion::ZERO;
                 expansion.expand(&rounded, &origin, &mut || {});
@@ -177,7 +177,7 @@ mod tests {
                         .residual
                         .each_ref()
                         .map(|rate| 0.25 * rate.value(0.25 * x, expansion.terms));
-                    worst[0] = worst[0].max(origin.chi_error_factor * (slope - of(rates.chi)).abs());
+                    worst[0] = worst[0].max(origin.rotation_per_chi_error * (slope - of(rates.chi)).abs());
                     worst[1] = worst[1].max((alpha - of(rates.psi_alpha)).abs());
                     worst[2] = worst[2].max((beta - of(rates.psi_beta)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; MAX_TERMS]; 2]);

@@ -142,8 +142,8 @@ impl Expansion {
             PsiFactors::new(beta, beta_kappa, beta_psi, of_beta, series, negligible),
         ];
         [alpha.at_origin, beta.at_origin] = origin.residual_rates;
-        (self.origin, self.chi_error_factor) = (origin.phases, origin.chi_error_factor as f32);
-        let negligible_xi = (negligible / (origin.chi_error_factor * chi_rate).abs()).min(f64::MAX);
+        (self.origin, self.rotation_per_chi_error) = (origin.phases, origin.rotation_per_chi_error as f32);
+        let negligible_xi = (negligible / (origin.rotation_per_chi_error * chi_rate).abs()).min(f64::MAX);
         Recurrence {
             psi,
             v_to_eta: UnitFactor::new(eta_per_v, v, mu),
