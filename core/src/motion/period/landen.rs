@@ -79,7 +79,7 @@ impl<F: Float> Landen<F> {
         }
     }
 
-    /// Number N of intervals on half a period for a trapezoid rule with an error below sixteen roundings.
+    /// Number N of intervals on half a period for a trapezoid rule with an error below one rounding.
     ///
     /// The error of the period and of ψ_α and ψ_β, relative to the period and to |ψ_α| + |ψ_β| + π, was at most 300 q^2N in 40 000 launches of the
     /// corner study, with the nome q. 1024 q^2N is counted.
@@ -91,7 +91,7 @@ impl<F: Float> Landen<F> {
         };
         // q^2N = (k/4)^(4N/2^number) with the last modulus k, which is small; numbers of bits before the leading one
         let bits_of_modulus = 2 - exponent(last.scaled_modulus.to_f64());
-        let bits = (1024_u32 / 16).ilog2() as i32 + 1 - exponent(F::OPERATION_ERROR);
+        let bits = 1024_u32.ilog2() as i32 + 1 - exponent(F::OPERATION_ERROR);
         ((bits << number) as u32).div_ceil(4 * bits_of_modulus as u32).max(LEAST)
     }
 
