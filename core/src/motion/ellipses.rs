@@ -113,7 +113,7 @@ impl<R: Ring> Ellipse<R> {
 }
 
 impl<F: Float> Ellipse<F> {
-    /// Number r e^{iλ} with r > 0, whose λ fits a parameter z and its rate best in the sense of least squares. The rates of χ and λ are given.
+    /// Number r e^{iλ} with r > 0 and the λ of a parameter z, by least squares from z and its rate. The rates of χ and λ are given.
     pub(crate) fn slow_phase(
         &self,
         cis_chi: Complex<F>,

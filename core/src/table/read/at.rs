@@ -15,9 +15,10 @@ impl<R: TableScalar> Table<R> {
         Sample { table: self, phases, instant: Instant::at_tick(n) }
     }
 
-    /// Sample of the motion t (s) after tick 0, taken as exact; 0 if it is not finite. With an epoch, t = 0 is not the launch.
+    /// Sample of the motion t seconds after tick 0. With an epoch, t = 0 is not the launch.
     ///
-    /// * Resolution: 2^-96 ticks. Beyond 2^96 ticks no digit of the orientation is correct.
+    /// * t is taken as exact; a t that is not finite counts as 0.
+    /// * Resolution: 2^-96 ticks. Beyond 2^96 ticks no digit of the orientation is correct, and the tick number wraps.
     /// * It has the bits of [`Table::at_tick`] where t times the tick rate is exactly a whole number, and the rate a multiple of 1/2.
     #[inline(always)]
     #[must_use]

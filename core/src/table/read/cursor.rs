@@ -30,8 +30,9 @@ pub struct Cursor<R> {
 }
 
 impl<R: TableScalar> Cursor<R> {
-    /// Sample of the next tick of the table that made the cursor; without debug assertions, another table gives a wrong orientation. The
-    /// sequence has no end.
+    /// Sample of the next tick. After tick 2^63 - 1 comes -2^63.
+    ///
+    /// Pass the table that made the cursor: with another table of the same scalar the orientation is wrong, which only a debug assertion notices.
     #[inline(always)]
     pub fn next<'a>(&mut self, table: &'a Table<R>) -> Sample<'a, R> {
         debug_assert!(self.belongs_to(table), "a cursor belongs to the table that made it");
