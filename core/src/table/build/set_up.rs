@@ -180,8 +180,8 @@ impl<R: TableScalar> Table<R> {
 }
 
 impl<R: TableScalar, const SEGMENTS: usize> SizedTable<R, SEGMENTS> {
-    /// Table of a motion, with these settings, or with those of [`TableSettings::new`] for a tick. In `f32` this takes 11.7 KB of a Cortex-M4F's
-    /// stack; [`TableMemory::set_up`] takes 3.9 KB.
+    /// Table of a motion, with these settings, or with those of [`TableSettings::new`] for a tick. In `f32` this takes 11.6 KB of a Cortex-M4F's
+    /// stack; [`TableMemory::set_up`] takes 3.8 KB.
     ///
     /// # Errors
     /// [`SetUpError`]

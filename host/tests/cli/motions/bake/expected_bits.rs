@@ -114,7 +114,7 @@ fn expected<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) 
         }
     }
     state = 1;
-    let [[_, middle, high], ..] = table.clock().step;
+    let [[_, middle, high], ..] = table.clock().increments;
     let turns_per_tick = table.clock().whole_turns[0] as f64
         + f64::from(high) * 2_f64.powi(-32)
         + f64::from(middle) * 2_f64.powi(-64);
