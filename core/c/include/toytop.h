@@ -1,7 +1,7 @@
 /* toytop: the exact motion of a spinning top, in C99 and C++11 or later. Written by cbindgen; do not edit.
  *
  * No function allocates memory: all memory belongs to the caller, except a count of set-ups. A function returns TOYTOP_OK, or the
- * reason why it did nothing. Units are SI or any consistent ones. The third fixed axis points up, the third body axis from the tip to the
+ * reason of a refusal. Units are SI or any consistent ones. The third fixed axis points up, the third body axis from the tip to the
  * centre of mass. Results of type int32_t are in units of 2^-30.
  *
  * A pointer is null, or it points to an object of its type, or to as many objects as its description names. While a program uses a cursor
@@ -60,7 +60,7 @@
 // Bytes of the events of a table.
 #define TOYTOP_EVENTS_SIZE 384
 
-// Status of a call: `TOYTOP_OK`, or the reason for which the call did nothing.
+// Status of a call: `TOYTOP_OK`, or the reason of a refusal. A refused call changes nothing, except that a refused set-up leaves no table.
 enum toytop_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : uint32_t

@@ -86,7 +86,7 @@ impl toytop_top {
             TOYTOP_FREE => Top::free(&parameters)?,
             _ => {
                 let allowed = "TOYTOP_SLIDING, TOYTOP_FIXED or TOYTOP_FREE";
-                return Err(ParameterError::OutOfRange { parameter: "support", allowed }.into());
+                return Err(ParameterError::new("support", allowed).into());
             }
         })
     }

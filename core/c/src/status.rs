@@ -3,7 +3,7 @@
 use core::ffi::{CStr, c_char};
 use toytop::{ParameterError, SetUpError};
 
-/// Status of a call: `TOYTOP_OK`, or the reason for which the call did nothing.
+/// Status of a call: `TOYTOP_OK`, or the reason of a refusal. A refused call changes nothing, except that a refused set-up leaves no table.
 #[repr(u32)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(clippy::upper_case_acronyms, reason = "constants of C")]
@@ -87,10 +87,7 @@ impl From<toytop_status> for Refusal {
 
 impl From<ParameterError> for Refusal {
     fn from(error: ParameterError) -> Self {
-        let status = match error {
-            ParameterError::NotFinite { .. } => TOYTOP_NOT_FINITE,
-            _ => TOYTOP_OUT_OF_RANGE,
-        };
+        let status = if error.is_not_finite() { TOYTOP_NOT_FINITE } else { TOYTOP_OUT_OF_RANGE };
         Self { status, segments: 0, parameter: Some([error.parameter(), error.allowed()]) }
     }
 }
@@ -168,7 +165,7 @@ mod tests {
     #[test]
     fn a_long_text_is_cut_before_its_zero() {
         let allowed = "x".repeat(300).leak();
-        let refused = ParameterError::OutOfRange { parameter: "tilt", allowed };
+        let refused = ParameterError::new("tilt", allowed);
         assert_eq!(text(refused).len(), TOYTOP_TEXT_SIZE - 1);
     }
 }

@@ -16,7 +16,7 @@ pub fn branch_points_from_integrals(
     h: f64,
 ) -> Result<BranchPoints, ParameterError> {
     let integrals = [check_finite("l", l)?, check_finite("n", n)?, check_finite("h", h)?].map(Extended::from);
-    let refused = |allowed| ParameterError::OutOfRange { parameter: "h", allowed };
+    let refused = |allowed| ParameterError::new("h", allowed);
     let point = fastest_point(top, integrals)
         .ok_or(refused("the energy of some motion with these l and n (it is too low)"))?;
     branch_points_through(top, integrals, point).map_err(|_| refused("such that e3 <= 1e14"))
@@ -63,10 +63,10 @@ fn fastest_point(top: &Top, [l, n, h]: [Extended; 3]) -> Option<[Extended; 3]> {
     // f(u) again, without cancellation where the axis is nearly upright
     let [one_minus_u, one_plus_u] = [one - u, one + u];
     let l_minus_nu = if u > zero { l - n + n * one_minus_u } else { l + n - n * one_plus_u };
-    let axis_energy = energy - u;
-    let peak = axis_energy * one_minus_u * one_plus_u - energy_factor * l_minus_nu.squared();
+    let scaled_axis_energy = energy - u;
+    let peak = scaled_axis_energy * one_minus_u * one_plus_u - energy_factor * l_minus_nu.squared();
     let noise = (b.abs() + c1.abs() + c0.abs() + one) * noise;
-    if u.abs() > one + noise.sqrt() || peak < -noise || axis_energy < -noise.sqrt() {
+    if u.abs() > one + noise.sqrt() || peak < -noise || scaled_axis_energy < -noise.sqrt() {
         return None;
     }
     let u = if u.abs() <= one {

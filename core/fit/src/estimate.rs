@@ -48,26 +48,26 @@ pub struct Estimate {
     /// Angular velocity ω at the launch in the fixed frame, rad per unit time.
     pub omega: Vector<f64>,
     /// Changes of the logarithms of the free ratios, losses, and biases.
-    pub(crate) beyond_launch: [f64; MAX_UNKNOWNS - LAUNCH_COLUMNS],
+    pub(crate) ratios_losses_and_biases: [f64; MAX_UNKNOWNS - LAUNCH_COLUMNS],
 }
 
 impl Estimate {
     /// Estimate without biases, and with the ratios of the top.
     #[must_use]
     pub fn new(orientation: Orientation<f64>, omega: Vector<f64>) -> Self {
-        Self { orientation, omega, beyond_launch: [0.0; MAX_UNKNOWNS - LAUNCH_COLUMNS] }
+        Self { orientation, omega, ratios_losses_and_biases: [0.0; MAX_UNKNOWNS - LAUNCH_COLUMNS] }
     }
 
     /// Values of the other unknowns: changes of the logarithms of the free ratios, the three losses, if they are unknowns, and the biases
     /// of the sensors that have one. 0 after the last unknown.
     #[must_use]
-    pub fn other_unknowns(&self) -> &[f64] {
-        &self.beyond_launch
+    pub fn ratios_losses_and_biases(&self) -> &[f64] {
+        &self.ratios_losses_and_biases
     }
 
     /// Value of an unknown that is no part of the launch.
     pub(crate) fn unknown(&self, index: usize) -> Option<f64> {
-        self.beyond_launch.get(index.checked_sub(LAUNCH_COLUMNS)?).copied()
+        self.ratios_losses_and_biases.get(index.checked_sub(LAUNCH_COLUMNS)?).copied()
     }
 
     /// State of the launch.
@@ -85,12 +85,12 @@ impl Estimate {
     pub(crate) fn corrected(&self, change: &Unknowns) -> Self {
         let [d1, d2, d3, w1, w2, w3, others @ ..] = *change;
         let turn = Orientation::exp([d1, d2, d3]);
-        let mut beyond_launch = self.beyond_launch;
-        beyond_launch.iter_mut().zip(others).for_each(|(slot, by)| *slot += by);
+        let mut ratios_losses_and_biases = self.ratios_losses_and_biases;
+        ratios_losses_and_biases.iter_mut().zip(others).for_each(|(slot, by)| *slot += by);
         Self {
             orientation: turn.compose(&self.orientation).normalised(),
             omega: turn.adjoint(add_scaled(self.omega, [w1, w2, w3], 1.0)),
-            beyond_launch,
+            ratios_losses_and_biases,
         }
     }
 
@@ -98,7 +98,8 @@ impl Estimate {
     pub(crate) fn change_from(&self, from: &Self) -> Unknowns {
         let turn = self.orientation.compose(&from.orientation.inverse());
         let rate = add_scaled(turn.inverse().adjoint(self.omega), from.omega, -1.0);
-        let others = self.beyond_launch.iter().zip(from.beyond_launch).map(|(x, y)| x - y);
+        let others =
+            self.ratios_losses_and_biases.iter().zip(from.ratios_losses_and_biases).map(|(x, y)| x - y);
         let mut change = rotation_vector(&turn).into_iter().chain(rate).chain(others);
         core::array::from_fn(|_| change.next().unwrap_or(0.0))
     }

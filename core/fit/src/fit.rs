@@ -165,7 +165,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let span = first - last.launch_time;
         check_item(span >= 0.0, "measurements", 0, "as late as the last launch, or later")?;
         let allowed = "a motion that reaches the first measurement";
-        let refused = ParameterError::OutOfRange { parameter: "last", allowed };
+        let refused = ParameterError::new("last", allowed);
         let (predicted, at) = solver.model.predicted(&last.launch, span).ok_or(refused)?;
         let rows = last.covariance.rows().map(|row| {
             let mut row = propagated(&at.tangents, &row);

@@ -125,7 +125,7 @@ impl Model {
 
     /// Losses of an estimate.
     pub(crate) fn losses_of(&self, estimate: &Estimate) -> [f64; LOSS_COUNT] {
-        let losses = estimate.beyond_launch.get(self.free_count..).and_then(<[f64]>::first_chunk);
+        let losses = estimate.ratios_losses_and_biases.get(self.free_count..).and_then(<[f64]>::first_chunk);
         losses.copied().filter(|_| self.has_losses()).unwrap_or([0.0; LOSS_COUNT])
     }
 
@@ -133,7 +133,7 @@ impl Model {
     pub(crate) fn equations(&self, estimate: &Estimate) -> Equations<f64> {
         let mut coefficients = Coefficients::new(&self.top);
         let by = self.free.map(|free| log_derivatives(self.top.support(), free.direction));
-        for (by, value) in by.iter().zip(estimate.beyond_launch).take(self.free_count) {
+        for (by, value) in by.iter().zip(estimate.ratios_losses_and_biases).take(self.free_count) {
             coefficients = coefficients.times(by.map(|by| libm::exp(by * value)));
         }
         let mut changes = by.map(|by| Coefficients { k_over_a: 0.0, ..coefficients.times(by) });

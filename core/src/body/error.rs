@@ -5,68 +5,63 @@ use core::ops::RangeInclusive;
 
 /// Invalid parameter, with the allowed values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ParameterError {
-    /// The parameter is NaN or infinite.
-    NotFinite {
-        /// Name of the parameter.
-        parameter: &'static str,
-    },
-    /// The parameter is finite but not allowed.
-    OutOfRange {
-        /// Name of the parameter.
-        parameter: &'static str,
-        /// Allowed values.
-        allowed: &'static str,
-    },
-    /// An item of a list is not allowed.
-    Item {
-        /// Name of the list.
-        parameter: &'static str,
-        /// Index of the item, counted from 0.
-        index: usize,
-        /// Allowed items.
-        allowed: &'static str,
-    },
+pub struct ParameterError {
+    parameter: &'static str,
+    /// Index in a list.
+    index: Option<usize>,
+    allowed: &'static str,
 }
 
+/// Allowed values where a number is NaN or infinite.
+const FINITE: &str = "a finite number";
+
 impl ParameterError {
+    /// Error of a parameter whose allowed values are described in words or as an interval.
+    #[must_use]
+    pub const fn new(parameter: &'static str, allowed: &'static str) -> Self {
+        Self { parameter, index: None, allowed }
+    }
+
     /// Name of the parameter, or of the list.
     pub fn parameter(&self) -> &'static str {
-        match self {
-            Self::NotFinite { parameter }
-            | Self::OutOfRange { parameter, .. }
-            | Self::Item { parameter, .. } => parameter,
-        }
+        self.parameter
+    }
+
+    /// Index of the item, counted from 0, if the parameter is a list.
+    pub fn index(&self) -> Option<usize> {
+        self.index
     }
 
     /// Allowed values, in words or as an interval.
     pub fn allowed(&self) -> &'static str {
-        match self {
-            Self::NotFinite { .. } => "a finite number",
-            Self::OutOfRange { allowed, .. } | Self::Item { allowed, .. } => allowed,
-        }
+        self.allowed
+    }
+
+    /// Whether the parameter is NaN or infinite.
+    pub fn is_not_finite(&self) -> bool {
+        self.allowed == FINITE
     }
 }
 
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.parameter())?;
-        if let Self::Item { index, .. } = self {
+        let Self { parameter, index, allowed } = self;
+        f.write_str(parameter)?;
+        if let Some(index) = index {
             write!(f, " {index}")?;
         }
-        write!(f, ": must be {}", self.allowed())
+        write!(f, ": must be {allowed}")
     }
 }
 
 #[cfg(feature = "defmt")]
 impl defmt::Format for ParameterError {
     fn format(&self, f: defmt::Formatter<'_>) {
-        defmt::write!(f, "{=str}", self.parameter());
-        if let Self::Item { index, .. } = self {
+        defmt::write!(f, "{=str}", self.parameter);
+        if let Some(index) = self.index {
             defmt::write!(f, " {=usize}", index);
         }
-        defmt::write!(f, ": must be {=str}", self.allowed());
+        defmt::write!(f, ": must be {=str}", self.allowed);
     }
 }
 
@@ -74,12 +69,12 @@ impl core::error::Error for ParameterError {}
 
 /// The value, or an error where it is not finite.
 pub fn check_finite(parameter: &'static str, value: f64) -> Result<f64, ParameterError> {
-    if value.is_finite() { Ok(value) } else { Err(ParameterError::NotFinite { parameter }) }
+    if value.is_finite() { Ok(value) } else { Err(ParameterError::new(parameter, FINITE)) }
 }
 
 /// Error unless `holds`.
 pub fn check(holds: bool, parameter: &'static str, allowed: &'static str) -> Result<(), ParameterError> {
-    if holds { Ok(()) } else { Err(ParameterError::OutOfRange { parameter, allowed }) }
+    if holds { Ok(()) } else { Err(ParameterError::new(parameter, allowed)) }
 }
 
 /// Error of an item of a list unless `holds`.
@@ -89,7 +84,7 @@ pub fn check_item(
     index: usize,
     allowed: &'static str,
 ) -> Result<(), ParameterError> {
-    if holds { Ok(()) } else { Err(ParameterError::Item { parameter, index, allowed }) }
+    if holds { Ok(()) } else { Err(ParameterError { parameter, index: Some(index), allowed }) }
 }
 
 /// The value, or an error where it is outside a range, which `allowed` describes.

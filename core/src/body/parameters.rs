@@ -61,10 +61,7 @@ impl TopParameters {
         match (self.mass == 0.0, self.mass_moment == 0.0) {
             (false, true) => check_positive("mass", self.mass).map(Some),
             (true, false) => Ok(None),
-            _ => Err(ParameterError::OutOfRange {
-                parameter: "mass",
-                allowed: "given if mass_moment is not, and left out if it is",
-            }),
+            _ => Err(ParameterError::new("mass", "given if mass_moment is not, and left out if it is")),
         }
     }
 }
@@ -134,7 +131,7 @@ mod tests {
         ] {
             let mut parameters = TOP;
             change(&mut parameters);
-            assert!(matches!(Top::fixed(&parameters), Err(ParameterError::NotFinite { .. })));
+            assert!(Top::fixed(&parameters).is_err_and(|error| error.is_not_finite()));
         }
         // 0.05 kg · (0.03 m)² = 4.5e-5 kg m²
         assert_eq!(fixed(|top| top.transverse_inertia = 5.5e-5), None);

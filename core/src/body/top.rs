@@ -214,7 +214,7 @@ impl Top {
     }
 
     /// Unit of the energy of the axis: the weight p g, or 1 without it.
-    pub(crate) fn weight_or_one(&self) -> Extended {
+    pub(crate) fn energy_unit(&self) -> Extended {
         if self.is_torque_free() { Extended::ONE } else { self.p * self.g }
     }
 

@@ -12,14 +12,14 @@ pub(crate) struct ReducedPoint {
     pub(crate) one_minus_u: Extended,
     pub(crate) one_plus_u: Extended,
     pub(crate) udot: Extended,
-    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`Top::weight_or_one`].
-    pub(crate) axis_energy: Extended,
+    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`Top::energy_unit`].
+    pub(crate) scaled_axis_energy: Extended,
 }
 
 impl ReducedPoint {
     /// Whether the axis is upright and does not move.
     pub(crate) fn is_sleeping(&self) -> bool {
-        self.one_minus_u == Extended::ZERO && self.axis_energy == Extended::ZERO
+        self.one_minus_u == Extended::ZERO && self.scaled_axis_energy == Extended::ZERO
     }
 
     /// Difference l - n u without cancellation.
@@ -34,7 +34,7 @@ impl ReducedPoint {
 
     /// Angular momentum |m| without torque: |m|² = n² + A²|ω × r|².
     pub(crate) fn momentum(&self, a: Extended, n: Extended) -> Extended {
-        ((a * self.axis_energy).doubled() + n.squared()).sqrt()
+        ((a * self.scaled_axis_energy).doubled() + n.squared()).sqrt()
     }
 }
 
@@ -54,7 +54,7 @@ impl FirstIntegrals<Extended> {
         pause: &mut dyn FnMut(),
     ) -> (Self, ReducedPoint) {
         let Top { a, c, s, p, g, k, .. } = *top;
-        let unit = top.weight_or_one();
+        let unit = top.energy_unit();
         let (phi, omega) = state.to_extended();
         // without a square root a simple fraction remains exact, and so does the vertical, where n = C ω₃
         let norm = phi.norm_squared();
@@ -82,10 +82,10 @@ impl FirstIntegrals<Extended> {
             (about_k - k * one_minus_u, about_k + k * one_plus_u)
         };
 
-        let axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / unit.doubled();
-        let h = (c * spin.squared()).halved() + p * g * u + unit * axis_energy;
+        let scaled_axis_energy = (a * dot(r_dot, r_dot) + p * s * udot.squared()) / unit.doubled();
+        let h = (c * spin.squared()).halved() + p * g * u + unit * scaled_axis_energy;
 
         let integrals = Self { l: (l_plus_n + l_minus_n).halved(), n, h, spin, l_plus_n, l_minus_n };
-        (integrals, ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy })
+        (integrals, ReducedPoint { u, one_minus_u, one_plus_u, udot, scaled_axis_energy })
     }
 }

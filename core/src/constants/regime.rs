@@ -1,7 +1,7 @@
 //! Kind of a motion and of its tip curve (paper, section 4.2).
 //!
-//! A state of a regular precession that is rounded to `f64` nutates, mostly by less than 2^-49 rad. Its regime is that of the precession
-//! (`nutates_beyond_rounding`), but its motion is computed with the nutation (`is_steady`): without it the error would be up to 7e-13 rad for
+//! A regular precession whose state is rounded to `f64` nutates, mostly by less than 2^-49 rad. It is called a precession
+//! (`nutates_beyond_rounding`), and computed as the small nutation that it is (`is_steady`): otherwise the error would be up to 7e-13 rad for
 //! A/(ps) = 1e-5.
 
 use crate::constants::{BranchPoints, Signs};
@@ -19,7 +19,7 @@ pub enum Regime {
     SlowPrecession,
     /// -1 < e₁ = e₂ < 1 and |l| >= |n|: the faster of a fast top's two regular precessions.
     FastPrecession,
-    /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation.
+    /// e₁ = e₂ = 1: the axis is upright, and a small push causes a small nutation, except where e₃ = 1 as well.
     SleepingStable,
     /// e₂ = e₃ = 1 and u = 1: the axis is upright, and any push makes the top fall.
     SleepingUnstable,

@@ -64,11 +64,11 @@ pub fn period_and_rotations(motion: &Motion) -> Option<(Extended, [Phase; 2])> {
 pub fn branch_points_through(
     top: &Top,
     [l, n, h]: [Extended; 3],
-    [u, udot, axis_energy]: [Extended; 3],
+    [u, udot, scaled_axis_energy]: [Extended; 3],
 ) -> Result<BranchPoints, ParameterError> {
     let integrals = FirstIntegrals { l, n, h, spin: top.spin(n), l_plus_n: l + n, l_minus_n: l - n };
     let [one_minus_u, one_plus_u] = [Extended::ONE - u, Extended::ONE + u];
-    let point = ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy };
+    let point = ReducedPoint { u, one_minus_u, one_plus_u, udot, scaled_axis_energy };
     let e = BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {})?;
     Ok(e.map(Float::to_f64))
 }

@@ -10,7 +10,7 @@
 //! Where u falls, a, b and their derivatives become their complex conjugates, and x' is negative. The axial part Ω₃ = (n - K)/C is constant. Ω is
 //! computed in floating point: rates can be of any size.
 //!
-//! | scalar | coefficient | sum of Horner's rule | number of α and β |
+//! | scalar | coefficient | accumulator of Horner's rule | component of α and β |
 //! |---|---|---|---|
 //! | `f32`, `I2F30` (q31) | `i32` | `i32` | `Q30` |
 //! | `I2F14` (q15) | `i16` | `i32` | `Q14` |
@@ -105,39 +105,39 @@ pub trait TableScalar: Sealed + Copy + Debug + PartialEq + Neg<Output = Self> + 
 
     /// Nearest value of the scalar.
     #[doc(hidden)]
-    fn from_number(number: NumberOf<Self>) -> Self;
+    fn from_number(number: ComponentOf<Self>) -> Self;
     /// Length or rate of a number.
     #[doc(hidden)]
-    fn to_quantity(number: NumberOf<Self>) -> Self::Quantity;
+    fn to_quantity(number: ComponentOf<Self>) -> Self::Quantity;
 
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
-    fn sine_cosine_sums(phase: u64) -> [SumOf<Self>; 2];
+    fn sine_cosine_sums(phase: u64) -> [AccumulatorOf<Self>; 2];
 
     /// Complex number of the table, rotated for the angular velocity by the angle with this sine and cosine.
     #[doc(hidden)]
     #[inline(always)]
     fn rotated_quantity(
-        number: [SumOf<Self>; 2],
+        number: [AccumulatorOf<Self>; 2],
         is_falling: bool,
-        sine_cosine: [SumOf<Self>; 2],
+        sine_cosine: [AccumulatorOf<Self>; 2],
     ) -> Complex<Self::Quantity> {
         Self::Coefficient::rotated(number, is_falling, sine_cosine).map(Self::to_quantity)
     }
 }
 
-/// Number in which a tick of a scalar computes α and β.
-pub(crate) type NumberOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Number;
+/// Number type of the parts of α and β in a tick of a scalar.
+pub(crate) type ComponentOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Component;
 
-/// Sum of Horner's rule of a scalar.
-type SumOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Sum;
+/// Number type of the sums of Horner's rule of a scalar.
+type AccumulatorOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Accumulator;
 
 /// Coefficient of a table, and the operations that depend on its word: rounding in a set-up, evaluation in a tick.
 pub trait Coefficient: Copy + Debug + PartialEq {
-    /// Sum of Horner's rule, and the local coordinate: `i32` for `i16`, otherwise the type of the coefficient itself.
-    type Sum: Coefficient<Sum = Self::Sum> + Default + Into<f64>;
-    /// Number in which a tick computes α and β.
-    type Number: Ring;
+    /// Number type of the sums of Horner's rule and of the local coordinate: `i32` for `i16`, otherwise the type of the coefficient itself.
+    type Accumulator: Coefficient<Accumulator = Self::Accumulator> + Default + Into<f64>;
+    /// Number type of the parts of α and β in a tick.
+    type Component: Ring;
     // Set-up: rounding.
 
     /// Coefficient of x^power nearest to a value in units of 2^-62; beyond the range, one that is not safe.
@@ -148,27 +148,31 @@ pub trait Coefficient: Copy + Debug + PartialEq {
     // Tick: polynomials.
 
     /// Coefficient in the scale of the sums.
-    fn to_sum(self) -> Self::Sum;
+    fn to_sum(self) -> Self::Accumulator;
     /// Local coordinate.
-    fn coordinate(point: SegmentPoint) -> Self::Sum;
+    fn coordinate(point: SegmentPoint) -> Self::Accumulator;
     /// Step of Horner's rule, `self` + `sum` x.
-    fn step(self, sum: Self::Sum, x: Self::Sum) -> Self::Sum;
+    fn step(self, sum: Self::Accumulator, x: Self::Accumulator) -> Self::Accumulator;
     /// Last step, to the value of a polynomial with this constant.
     #[inline(always)]
-    fn last_step(self, sum: Self::Sum, x: Self::Sum) -> Self::Sum {
+    fn last_step(self, sum: Self::Accumulator, x: Self::Accumulator) -> Self::Accumulator {
         self.step(sum, x)
     }
     /// Step of Horner's rule for the derivative, `sum` + `slope` x, with the sum of the polynomial before its step.
-    fn slope_step(sum: Self::Sum, slope: Self::Sum, x: Self::Sum) -> Self::Sum;
+    fn slope_step(
+        sum: Self::Accumulator,
+        slope: Self::Accumulator,
+        x: Self::Accumulator,
+    ) -> Self::Accumulator;
 
     // Tick: rotation and angular velocity.
 
     /// Complex number of the table, rotated by the angle with this sine and cosine.
     fn rotated(
-        number: [Self::Sum; 2],
+        number: [Self::Accumulator; 2],
         is_falling: bool,
-        sine_cosine: [Self::Sum; 2],
-    ) -> Complex<Self::Number>;
+        sine_cosine: [Self::Accumulator; 2],
+    ) -> Complex<Self::Component>;
 }
 
 /// Orientation at a point of a segment, from the 64 leading bits of the mean phases.
@@ -177,7 +181,7 @@ pub(crate) fn orientation<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     [a, b]: [u64; 2],
-) -> Orientation<NumberOf<R>> {
+) -> Orientation<ComponentOf<R>> {
     let [[re_a, im_a, re_b, im_b], _] = polynomials::<R::Coefficient, false>(rows, point);
     // each sine where it is needed: the smallest chips have few registers
     let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, R::sine_cosine_sums(a));
@@ -194,7 +198,7 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     point: SegmentPoint,
     mean_phases: [u64; 2],
     [x, mean, axial]: [R::Quantity; 3],
-) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
+) -> (Orientation<ComponentOf<R>>, Vector<R::Quantity>) {
     let [a, b] = mean_phases.map(R::sine_cosine_sums);
     let [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]] =
         polynomials::<R::Coefficient, true>(rows, point);
@@ -219,7 +223,7 @@ pub(crate) fn tabulated_a_b<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
 ) -> [[Complex<f64>; 2]; 2] {
-    let x = <R::Coefficient as Coefficient>::Sum::coordinate(point);
+    let x = <R::Coefficient as Coefficient>::Accumulator::coordinate(point);
     horner::<_, _, 4, true>(rows, x, |four| four.map(Coefficient::to_sum))
         .map(|four| complex_pair(four.map(Into::into)))
 }
@@ -235,7 +239,10 @@ fn complex_pair<Q>([re_a, im_a, re_b, im_b]: [Q; 4]) -> [Complex<Q>; 2] {
 
 /// Polynomials and, if `SLOPES`, their derivatives.
 #[inline(always)]
-fn polynomials<C: Coefficient, const SLOPES: bool>(rows: &[[C; 4]], point: SegmentPoint) -> [[C::Sum; 4]; 2] {
+fn polynomials<C: Coefficient, const SLOPES: bool>(
+    rows: &[[C; 4]],
+    point: SegmentPoint,
+) -> [[C::Accumulator; 4]; 2] {
     let x = C::coordinate(point);
     // four for vector units, two for the few registers of the smallest chips
     if cfg!(target_pointer_width = "64") || size_of::<C>() == 8 {
@@ -252,9 +259,9 @@ fn polynomials<C: Coefficient, const SLOPES: bool>(rows: &[[C; 4]], point: Segme
 #[inline(always)]
 fn horner<C, D: Coefficient, const N: usize, const SLOPES: bool>(
     rows: &[[C; 4]],
-    x: D::Sum,
+    x: D::Accumulator,
     part: impl Fn(&[C; 4]) -> [D; N],
-) -> [[D::Sum; N]; 2] {
+) -> [[D::Accumulator; N]; 2] {
     let mut sums = [Default::default(); N];
     let mut slopes = [Default::default(); N];
     let [constant, higher @ ..] = rows else { return [sums, slopes] };

@@ -55,7 +55,7 @@ impl Launch {
         let state = match kind {
             Kind::Release if !(0.0..=180.0).contains(&a) => {
                 let allowed = "between 0 and 180 degrees";
-                return Err(ParameterError::OutOfRange { parameter: "tilt", allowed });
+                return Err(ParameterError::new("tilt", allowed));
             }
             Kind::Release => {
                 let [azimuth, roll] = [e, f].map(angle_from_degrees);

@@ -73,7 +73,7 @@ pub extern "C" fn launch(support: u32, kind: u32) -> i32 {
 }
 
 fn launched(support: u32, kind: u32) -> Result<MotionWithPeriod, ParameterError> {
-    let refused = |parameter| ParameterError::OutOfRange { parameter, allowed: "one of its words" };
+    let refused = |parameter| ParameterError::new(parameter, "one of its words");
     let (_, support) = *SUPPORTS.get(support as usize).ok_or(refused("support"))?;
     let (_, kind) = *KINDS.get(kind as usize).ok_or(refused("kind"))?;
     let numbers_of_top = from_fn(number);

@@ -49,7 +49,7 @@ impl PageMotion {
             return Ok(());
         }
         let allowed = "further from e2: no table holds this motion";
-        Err(ParameterError::OutOfRange { parameter: "e3", allowed })
+        Err(ParameterError::new("e3", allowed))
     }
 
     /// Whether the table can hold a motion, or a closed form follows it.

@@ -140,7 +140,7 @@ impl FitResult {
         let FitInput { top, table, free, .. } = &self.input;
         let deviations = self.fitted.deviations();
         // the logarithm of the fitted value over the given one is the unknown
-        let logarithms = self.fitted.launch.other_unknowns().iter().zip(&deviations[6..]);
+        let logarithms = self.fitted.launch.ratios_losses_and_biases().iter().zip(&deviations[6..]);
         free.iter()
             .zip(logarithms)
             .map(|(key, (logarithm, deviation))| {
@@ -156,7 +156,7 @@ impl FitResult {
         let deviations = self.fitted.deviations();
         let losses = if self.fitted.drift.is_some() { Drift::LOSS_NAMES.len() } else { 0 };
         let before = self.input.free.len() + losses;
-        let values = self.fitted.launch.other_unknowns()[before..].as_chunks().0;
+        let values = self.fitted.launch.ratios_losses_and_biases()[before..].as_chunks().0;
         let deviations = deviations[6 + before..].as_chunks().0;
         let models = self.input.sensors.models.iter();
         let biased = models.filter(|model| model.sensor.noise().bias_deviation > 0.0);

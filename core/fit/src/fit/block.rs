@@ -33,7 +33,7 @@ impl<'a, F, M: Measurements> Block<'a, F, M> {
             times = Some([first, time]);
             total += 1;
         }
-        let times = times.ok_or(ParameterError::OutOfRange { parameter: NAME, allowed: "at least one" })?;
+        let times = times.ok_or(ParameterError::new(NAME, "at least one"))?;
         Ok(Self { sensors, total, times, rate_unit: 1.0, measurements })
     }
 

@@ -74,7 +74,7 @@ impl BranchPoints<Extended> {
             return Self::from_differences(point.one_plus_u, point.one_minus_u, zero, infinite);
         }
         // (e₁ - u) + (e₂ - u) = 2 (l n/|m|² - u), and (e₁ - u)(e₂ - u) = -(A u'/|m|)²
-        let half_sum = (n * point.l_minus_nu(integrals) - point.u * (a * point.axis_energy).doubled())
+        let half_sum = (n * point.l_minus_nu(integrals) - point.u * (a * point.scaled_axis_energy).doubled())
             / momentum.squared();
         let half_difference = (half_sum.squared() + (a * point.udot / momentum).squared()).sqrt();
         let e2_minus_e1 = half_difference.doubled();
@@ -109,13 +109,13 @@ impl BranchPoints<Extended> {
     ) -> Self {
         let LowerBranchPoints { one_minus_e1, e2_minus_e1, e2_is_nearer_e1 } = *lower;
         let FirstIntegrals { n, l_plus_n, l_minus_n, .. } = *integrals;
-        let ReducedPoint { one_minus_u, axis_energy, .. } = *point;
+        let ReducedPoint { one_minus_u, scaled_axis_energy, .. } = *point;
         let zero = Extended::ZERO;
         let one = Extended::ONE;
         // product and sum of 1 - e₂ and 1 - e₃
         let product = -energy_factor * l_minus_n.squared() / one_minus_e1;
-        let sum =
-            (-(axis_energy - one_minus_u - energy_factor * l_minus_n * n).doubled() - product) / one_minus_e1;
+        let sum = (-(scaled_axis_energy - one_minus_u - energy_factor * l_minus_n * n).doubled() - product)
+            / one_minus_e1;
         let e3_minus_e2 = (sum.squared() - product.doubled().doubled()).sqrt();
         let (one_minus_e2, e3_minus_one) = if sum > zero {
             let one_minus_e2 = (sum + e3_minus_e2).halved();
@@ -161,12 +161,12 @@ impl LowerBranchPoints {
     ) -> Self {
         let zero = Extended::ZERO;
         let n = integrals.n;
-        let ReducedPoint { u, one_minus_u, one_plus_u, udot, axis_energy } = *point;
+        let ReducedPoint { u, one_minus_u, one_plus_u, udot, scaled_axis_energy } = *point;
         let sine_squared = one_minus_u * one_plus_u;
         let g0 = top.length_d(sine_squared) * udot.squared() / top.g.doubled();
-        let g1 = -(u * axis_energy).doubled() - sine_squared
+        let g1 = -(u * scaled_axis_energy).doubled() - sine_squared
             + (energy_factor * n * point.l_minus_nu(integrals)).doubled();
-        let g2 = u.doubled() - axis_energy - energy_factor * n.squared();
+        let g2 = u.doubled() - scaled_axis_energy - energy_factor * n.squared();
         let cubic = Cubic { g0, g1, g2 };
         pause();
         let e3_minus_u = cubic.largest_root(pause);

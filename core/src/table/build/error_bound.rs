@@ -31,7 +31,7 @@ impl HalfPeriod {
         };
 
         let half_periods = 2.0 * rates.nutation.to_f64();
-        let x_rate = f64::from(bounds.x_per_half_period) * half_periods;
+        let x_rate = f64::from(bounds.coordinate_rate) * half_periods;
         let mean = TURN * (rates.alpha + rates.beta).to_f64().abs();
         // terms of the angular velocity, which may cancel
         let whole = angular * half_periods + mean + motion.first_integrals().spin.abs();

@@ -27,7 +27,7 @@ impl MeanRates {
 
     fn steady(motion: &Motion) -> Self {
         let [alpha, beta] = motion.steady_rates().map(Extended::radians_to_turns);
-        let relative = Period::rounding_error::<Extended>(0) + STORED + motion.rounding.relative;
+        let relative = Period::rounding_error::<Extended>(0) + STORED + motion.rounding.period_error;
         // a rate is the sum of a quotient and ±τ/2, which may cancel
         let half_tau = size_in_turns(motion.half_tau);
         let launch = size_in_turns(motion.rounding.slow_rate_error.into());
@@ -56,8 +56,8 @@ fn size_in_turns(angle: Extended) -> f64 {
 
 /// Errors of the rates, turns/s.
 fn errors(motion: &Motion, period: &Period) -> Phases<f64> {
-    let LaunchRounding { relative, slow_rate_error } = motion.rounding;
-    let arithmetic = period.rounding_error + STORED + relative;
+    let LaunchRounding { period_error, slow_rate_error } = motion.rounding;
+    let arithmetic = period.rounding_error + STORED + period_error;
     let frequency = 1.0 / period.time.to_f64();
     let [alpha, beta] = period.psi.map(size_in_turns);
     let half_tau = 2.0 * size_in_turns(motion.half_tau) * arithmetic + size_in_turns(slow_rate_error.into());

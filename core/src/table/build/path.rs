@@ -160,7 +160,7 @@ impl<'a, F: Float> Path<'a, F> {
             (self.pause)();
             *polynomial = Polynomial::ZERO;
             let sums = polynomial.parts.each_mut().map(|part| &mut part.coefficients);
-            let terms = expansion.add_exponentials(index, exponentials, least, exponential, sums)?;
+            let terms = expansion.add_cayley_klein_series(index, exponentials, least, exponential, sums)?;
             (self.pause)();
             polynomial.drop_negligible_terms(terms, self.budget)?;
         }

@@ -12,12 +12,12 @@ pub(super) struct SegmentBounds {
     /// Rate of a residual phase, rad per half period.
     pub(super) residual_rate: f32,
     /// Rate of the local coordinate x.
-    pub(super) x_per_half_period: f32,
+    pub(super) coordinate_rate: f32,
 }
 
 impl SegmentBounds {
     pub(super) const ZERO: Self =
-        Self { error: 0.0, angular_speed: 0.0, residual_rate: 0.0, x_per_half_period: 0.0 };
+        Self { error: 0.0, angular_speed: 0.0, residual_rate: 0.0, coordinate_rate: 0.0 };
 
     /// Includes other segments.
     pub(super) fn include(&mut self, other: &Self) {
@@ -25,10 +25,10 @@ impl SegmentBounds {
         raise(&mut self.error, other.error);
         raise(&mut self.angular_speed, other.angular_speed);
         raise(&mut self.residual_rate, other.residual_rate);
-        raise(&mut self.x_per_half_period, other.x_per_half_period);
+        raise(&mut self.coordinate_rate, other.coordinate_rate);
     }
 
-    /// Greatest change of the orientation on half a segment, which is at most one cell, rad.
+    /// Greatest change of the orientation on half a segment, rad. The half is at most a cell.
     pub(super) fn half_segment_change(&self) -> f64 {
         f64::from(self.angular_speed) / 16.0
     }

@@ -41,15 +41,15 @@ pub(super) fn store_segment<R: TableScalar>(
     }
     let is_safe = R::Coefficient::are_safe((*stored).as_ref());
     // x grows by 2 over a segment
-    let x_per_half_period = (2_u32 << segment.depth) as f32;
+    let coordinate_rate = (2_u32 << segment.depth) as f32;
     SegmentBounds {
         error: if is_safe {
             2.0 * TABLE_UNIT as f32 * Float::sqrt(truncation_squared)
         } else {
             f32::INFINITY
         },
-        angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * x_per_half_period,
+        angular_speed: 2.0 * TABLE_UNIT as f32 * Float::sqrt(slope_squared) * coordinate_rate,
         residual_rate: path.greatest_residual_rate(),
-        x_per_half_period,
+        coordinate_rate,
     }
 }

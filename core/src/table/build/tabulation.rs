@@ -8,7 +8,8 @@
 //! ```
 //!
 //! A span has whole cells, or a cell has several spans of one length. All segments of a cell have one length, and none crosses the end of a span.
-//! A length that is not accurate is halved. Twice the last length is tried again: for segments at each cell, for spans where two of them would fit.
+//! A length that is not accurate is halved. After a success it is doubled again: that of segments at the next cell, that of spans where two doubled
+//! ones would fit.
 
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::build::path::{MIN_SPAN_DEPTH, Path};

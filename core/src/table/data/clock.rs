@@ -14,8 +14,8 @@ use crate::table::time::{Increment, Instant, Phases};
 /// | tip angle | `tip_start`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
 ///
-/// `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored, because their conversion would cost an angular velocity
-/// its time on a chip.
+/// `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored to save an angular velocity
+/// these conversions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {

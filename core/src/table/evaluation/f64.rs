@@ -38,8 +38,8 @@ impl TableScalar for f64 {
 }
 
 impl Coefficient for f64 {
-    type Sum = Self;
-    type Number = Self;
+    type Accumulator = Self;
+    type Component = Self;
 
     fn nearest(value: i64, _: usize) -> Self {
         value as f64 * TABLE_UNIT

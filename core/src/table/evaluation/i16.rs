@@ -53,8 +53,8 @@ impl TableScalar for I2F14 {
 }
 
 impl Coefficient for i16 {
-    type Sum = i32;
-    type Number = Q14;
+    type Accumulator = i32;
+    type Component = Q14;
 
     fn nearest(value: i64, power: usize) -> Self {
         /// Factor 1 - 9.4e-6 of the coefficients, in units of 2^-30. The 16-bit sines are up to 1.9e-5 too large; this halves the error.

@@ -84,8 +84,8 @@ impl TableScalar for I2F30 {
 }
 
 impl Coefficient for i32 {
-    type Sum = Self;
-    type Number = Q30;
+    type Accumulator = Self;
+    type Component = Q30;
 
     /// Coefficient in units of 2^-(31 + power). It has half a unit more, because the product added to it is rounded down. The constant has none: a
     /// complement changes its sign.

@@ -6,7 +6,7 @@ use crate::phase::Phase;
 use crate::scalar::Float;
 use crate::su2::{AttitudeState, Orientation, Vector};
 use crate::table::data::Table;
-use crate::table::evaluation::{NumberOf, TableScalar, orientation, orientation_and_omega_body};
+use crate::table::evaluation::{ComponentOf, TableScalar, orientation, orientation_and_omega_body};
 use crate::table::read::located_segment::LocatedSegment;
 use crate::table::time::{Instant, Phases};
 
@@ -143,7 +143,7 @@ impl<R: TableScalar> Sample<'_, R> {
     }
 
     #[inline(always)]
-    fn unrounded(&self) -> Orientation<NumberOf<R>> {
+    fn unrounded(&self) -> Orientation<ComponentOf<R>> {
         let Phases { nutation, alpha, beta } = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation::<R>(rows, point, [alpha, beta])
@@ -151,7 +151,7 @@ impl<R: TableScalar> Sample<'_, R> {
 
     /// Unrounded orientation, and Ω.
     #[inline(always)]
-    fn unrounded_and_omega_body(&self) -> (Orientation<NumberOf<R>>, Vector<R::Quantity>) {
+    fn unrounded_and_omega_body(&self) -> (Orientation<ComponentOf<R>>, Vector<R::Quantity>) {
         let Phases { nutation, alpha, beta } = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
         orientation_and_omega_body::<R>(rows, point, [alpha, beta], self.table.clock.rates())

@@ -35,7 +35,7 @@ impl Tick {
     pub const fn ratio(ticks: u32, seconds: u32) -> Result<Self, ParameterError> {
         if ticks == 0 || seconds == 0 {
             let allowed = "a positive number of ticks in a positive number of seconds";
-            return Err(ParameterError::OutOfRange { parameter: "tick", allowed });
+            return Err(ParameterError::new("tick", allowed));
         }
         Ok(Self { ticks, seconds })
     }

@@ -1,4 +1,4 @@
-//! Expansion of the motion around a point of its path, in y = x/4. One unit of x is half a span.
+//! Expansion of the motion around a point of its path, in y = x/4, where x goes from -1 to 1 along a span.
 //!
 //! In a series that converges within sixteen terms, a coefficient of x^k is at most about a quarter of the one before. As y = x/4, the coefficients
 //! of y^k then do not grow, and one exponent fits all. Index 0: at the point. v and the Greek letters: power series in y.

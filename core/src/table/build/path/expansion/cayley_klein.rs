@@ -14,7 +14,7 @@ impl Expansion {
     ///
     /// * `scratch`: rates of ρ + χ and of ρ - χ, and the exponential of one of them
     /// * `sums`: coefficients of x^k in units of 2^-62
-    pub(crate) fn add_exponentials(
+    pub(crate) fn add_cayley_klein_series(
         &self,
         index: usize,
         [p, q]: [f64; 2],
@@ -182,7 +182,7 @@ mod tests {
                     worst[2] = worst[2].max((beta - of(rates.psi_beta)).abs());
                     let ([p, q], mut parts) = ([0.6, -0.3], [[0; MAX_TERMS]; 2]);
                     let mut scratch = [PowerSeries::ZERO; 4];
-                    expansion.add_exponentials(0, [p, q], 5, &mut scratch, parts.each_mut()).unwrap();
+                    expansion.add_cayley_klein_series(0, [p, q], 5, &mut scratch, parts.each_mut()).unwrap();
                     let [re, im] = parts
                         .map(|part| part.iter().rev().fold(0.0, |sum, c| sum * x + *c as f64 * TABLE_UNIT));
                     let [up, down] = [at, -at].map(|chi| Complex::cis(chi + residual[0]));
