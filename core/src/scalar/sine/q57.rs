@@ -1,7 +1,8 @@
 //! Sines of phases of 96 bits in integers, from power series: for set-ups.
 //!
-//! Their error of 2^-56 is far below the roundings of a table. Without an FPU these sines are five times as fast as those in `f64`; with
-//! an FPU they take three times as long, so that [`Real::sine_cosine`](crate::scalar::Real::sine_cosine) does not use them.
+//! Their error of 2^-56 is far below the roundings of a table. With sines in `f64` instead, the costliest set-up in `f32` takes 10.5 million
+//! cycles of a Cortex-M4F instead of 9.8. With an FPU for `f64` these sines take three times as long as those, so that
+//! [`Real::sine_cosine`](crate::scalar::Real::sine_cosine) does not use them.
 
 use super::rotate_quarter_turns;
 use crate::integer::{Limbs, product_i32};
