@@ -92,7 +92,7 @@ impl<F: Float> Landen<F> {
         // q^2N = (k/4)^(4N/2^number) with the last modulus k, which is small; numbers of bits before the leading one
         let bits_of_modulus = 2 - exponent(last.scaled_modulus.to_f64());
         let bits = 1024_u32.ilog2() as i32 + 1 - exponent(F::OPERATION_ERROR);
-        ((bits << number) as u32).div_ceil(4 * bits_of_modulus as u32).max(LEAST)
+        ((bits << number) as u32).div_ceil(4 * bits_of_modulus.max(1) as u32).max(LEAST)
     }
 
     /// Quarter period K = π/2 ∏ (1 + k).

@@ -132,7 +132,8 @@ impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
     #[inline(never)]
     fn store_segments(&mut self, part: Interval, bounds: &mut SegmentBounds) -> Option<()> {
         for segment in part.parts(self.depth) {
-            let number = self.division.segment_count + (segment.begin - self.position) / segment.length();
+            let first = Interval { begin: self.position, depth: self.depth };
+            let number = self.division.segment_count + (segment.number() - first.number());
             let last = self.segments.len().checked_sub(1)?;
             let stored = self.segments.get_mut(number.min(last))?;
             bounds.include(&store_segment::<R>(self.path, segment, stored));
