@@ -3,7 +3,8 @@
 use crate::scalar::{Float, Ring, numeric_struct};
 
 numeric_struct! {
-    /// First integrals l, n and h: two components of the angular momentum, and the energy. The other numbers follow from them, except `spin` where C = 0.
+    /// First integrals l, n and h: two components of the angular momentum, and the energy. The other numbers follow from
+    /// them, except `spin` where C = 0.
     #[derive(Clone, Copy, Debug, PartialEq)]
     #[cfg_attr(feature = "defmt", derive(defmt::Format))]
     #[non_exhaustive]

@@ -216,8 +216,9 @@ impl Fitted {
 
 /// Directions of the launch that the measurements do not determine to one unit.
 ///
-/// With the covariance C in these units, the trace of 1 - (1 + C)⁻¹ counts the directions with a variance far above 1. A named direction d is undetermined if its information d (ε² + C)⁻¹ d is below 1, for a small ε: at a small tilt, yaw and
-/// roll are nearly the same rotation.
+/// With the covariance C in these units, the trace of 1 - (1 + C)⁻¹ counts the directions with a variance far above 1.
+/// A named direction d is undetermined if its information d (ε² + C)⁻¹ d is below 1, for a small ε: at a small tilt, yaw and roll are nearly the
+/// same rotation.
 #[inline(never)] // stack
 fn unobservable(fitted: &Fitted) -> Unobservable {
     let Fitted { launch, unknown_count: count, model, .. } = fitted;

@@ -1,7 +1,7 @@
 //! Sines of phases of 96 bits in integers, from power series: for set-ups.
 //!
 //! Their error of 2^-56 is far below the roundings of a table. With sines in `f64` instead, the costliest set-up in `f32` takes 10.5 million
-//! cycles of a Cortex-M4F instead of 9.8. With an FPU for `f64` these sines take three times as long as those, so that
+//! cycles of a Cortex-M4F instead of 9.9. With an FPU for `f64` these sines take three times as long as those, so that
 //! [`Real::sine_cosine`](crate::scalar::Real::sine_cosine) does not use them.
 
 use super::rotate_quarter_turns;

@@ -74,6 +74,7 @@ impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
             if !is_accurate {
                 self.path.return_to(start);
             } else if Interval::least_depth_at(self.position) + 2 <= self.span_depth {
+                // never longer than the longest span, because the least depth inside the half period is at least 1
                 self.span_depth -= 1;
             }
         }
