@@ -6,7 +6,7 @@ mod wrapped;
 
 pub(crate) use wrapped::WrappedPhase;
 
-use crate::integer::{ldexp_i128, mantissa_and_exponent};
+use crate::integer::{ldexp_i128, mantissa_and_exponent, product_u64};
 use core::ops::{Add, AddAssign, Mul, Neg, Sub};
 
 /// Phase in turns: a signed integer in units of 2^-96.
@@ -72,6 +72,14 @@ impl Phase {
     #[inline(always)]
     pub(crate) const fn from_words([a, b, c, d]: [u32; 4]) -> Self {
         Self((a as i128) | (b as i128) << 32 | (c as i128) << 64 | (d as i128) << 96)
+    }
+
+    /// Product with a fraction in [0, 1), given as a part of a turn. Error below 2^-62 turns.
+    #[inline(always)]
+    pub(crate) fn times_fraction(self, fraction: Self) -> Self {
+        let whole_turns = (self.0 >> FRACTION_BITS) as i64;
+        let [leading, _] = product_u64(self.leading_bits(), fraction.leading_bits());
+        fraction * whole_turns + Self::from_leading_bits(leading)
     }
 
     /// Number of turns, with a relative error of 2^-53.

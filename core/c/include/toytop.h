@@ -14,9 +14,9 @@
 #include <stdint.h>
 
 /* Size in bytes of a table with the given number of segments, from 8 to 4096. */
-#define TOYTOP_TABLE_F32_SIZE_OF(segments) (224 + 80 * sizeof(char) * (segments))
-#define TOYTOP_TABLE_F64_SIZE_OF(segments) (240 + 352 * sizeof(char) * (segments))
-#define TOYTOP_TABLE_Q31_SIZE_OF(segments) (224 + 64 * sizeof(char) * (segments))
+#define TOYTOP_TABLE_F32_SIZE_OF(segments) (216 + 80 * sizeof(char) * (segments))
+#define TOYTOP_TABLE_F64_SIZE_OF(segments) (232 + 352 * sizeof(char) * (segments))
+#define TOYTOP_TABLE_Q31_SIZE_OF(segments) (216 + 64 * sizeof(char) * (segments))
 
 // Bytes of the text of an error, the closing zero included.
 #define TOYTOP_TEXT_SIZE 192
@@ -37,13 +37,13 @@
 #define TOYTOP_MOTION_SIZE 1024
 
 // Bytes of a table in `f32` of the standard size, 25 segments.
-#define TOYTOP_TABLE_F32_SIZE 2224
+#define TOYTOP_TABLE_F32_SIZE 2216
 
 // Bytes of a table in `f64` of the standard size, 48 segments.
-#define TOYTOP_TABLE_F64_SIZE 17136
+#define TOYTOP_TABLE_F64_SIZE 17128
 
 // Bytes of a table in fixed point of the standard size, 32 segments.
-#define TOYTOP_TABLE_Q31_SIZE 2272
+#define TOYTOP_TABLE_Q31_SIZE 2264
 
 // Alignment of the memory of a table, bytes.
 #define TOYTOP_TABLE_ALIGNMENT 8
@@ -234,7 +234,7 @@ typedef struct toytop_partials {
 // Table of a motion in `f32`. Memory of `TOYTOP_TABLE_F32_SIZE_OF(segments)` bytes with the same alignment may be used
 // as a larger or smaller table.
 typedef struct toytop_table_f32 {
-  uint64_t opaque[278];
+  uint64_t opaque[277];
 } toytop_table_f32;
 
 // Length of a tick, as an exact fraction of a second: `ticks` ticks in `seconds` seconds.
@@ -268,12 +268,12 @@ typedef struct toytop_settings {
 
 // Table of a motion in `f64`; see `toytop_table_f32`.
 typedef struct toytop_table_f64 {
-  uint64_t opaque[2142];
+  uint64_t opaque[2141];
 } toytop_table_f64;
 
 // Table of a motion in fixed point of 32 bits; see `toytop_table_f32`.
 typedef struct toytop_table_q31 {
-  uint64_t opaque[284];
+  uint64_t opaque[283];
 } toytop_table_q31;
 
 // Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.

@@ -10,27 +10,27 @@ use toytop::{SizedTable, Table, TableMemory, TableScalar};
 
 opaque! {
 /// Bytes of a table in `f32` of the standard size, 25 segments.
-TOYTOP_TABLE_F32_SIZE = 2224;
+TOYTOP_TABLE_F32_SIZE = 2216;
 
 /// Table of a motion in `f32`. Memory of `TOYTOP_TABLE_F32_SIZE_OF(segments)` bytes with the same alignment may be used
 /// as a larger or smaller table.
-toytop_table_f32[278]
+toytop_table_f32[277]
 }
 
 opaque! {
 /// Bytes of a table in `f64` of the standard size, 48 segments.
-TOYTOP_TABLE_F64_SIZE = 17136;
+TOYTOP_TABLE_F64_SIZE = 17128;
 
 /// Table of a motion in `f64`; see `toytop_table_f32`.
-toytop_table_f64[2142]
+toytop_table_f64[2141]
 }
 
 opaque! {
 /// Bytes of a table in fixed point of the standard size, 32 segments.
-TOYTOP_TABLE_Q31_SIZE = 2272;
+TOYTOP_TABLE_Q31_SIZE = 2264;
 
 /// Table of a motion in fixed point of 32 bits; see `toytop_table_f32`.
-toytop_table_q31[284]
+toytop_table_q31[283]
 }
 
 /// Alignment of the memory of a table, bytes.

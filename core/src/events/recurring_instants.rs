@@ -19,7 +19,7 @@ impl RecurringInstants {
     /// Instants at tick `from` or later. There are none without turning points.
     pub(super) fn new<R: TableScalar>(table: &Table<R>, phases: [Option<Phase>; 4], from: i64) -> Self {
         let nowhere = Self { next: [None; 4], period: None };
-        let increment = table.clock.whole_increments().nutation.to_turns();
+        let increment = Extended::from(table.clock.increments().nutation);
         if !(table.clock.has_turning_points && increment > Extended::ZERO) {
             return nowhere;
         }

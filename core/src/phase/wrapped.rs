@@ -20,17 +20,19 @@ pub(crate) struct WrappedPhase {
 }
 
 impl WrappedPhase {
-    pub(crate) const fn new(words: [u32; 3]) -> Self {
+    const fn new(words: [u32; 3]) -> Self {
         Self { words }
-    }
-
-    pub(crate) const fn words(self) -> [u32; 3] {
-        self.words
     }
 
     pub(crate) const fn from_phase(phase: Phase) -> Self {
         let bits = phase.to_bits();
         Self::new([bits as u32, (bits >> 32) as u32, (bits >> 64) as u32])
+    }
+
+    /// Phase without whole turns from the words of a [`Phase`].
+    #[inline(always)]
+    pub(crate) const fn from_words([low, middle, upper, _]: [u32; 4]) -> Self {
+        Self::new([low, middle, upper])
     }
 
     /// Phase in [0, 1) turn, exact.

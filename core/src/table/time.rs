@@ -6,9 +6,6 @@ mod instant;
 
 mod phases;
 
-mod increment;
-
-pub(crate) use increment::Increment;
 pub(crate) use instant::Instant;
 pub(crate) use phases::Phases;
 pub(in crate::table) use phases::is_falling;

@@ -6,10 +6,10 @@
 #[rustfmt::skip]
 #[allow(clippy::all, clippy::pedantic)]
 pub static TOY_TOP: toytop::SizedTable<toytop::fixed::types::I2F30, 32> = match (toytop::Baked::<toytop::fixed::types::I2F30, 32> {
-    format: 10,
-    crc32: 0xc7d1f5e0,
+    format: 11,
+    crc32: 0x5c68c3b9,
     clock: toytop::Clock {
-        increments: [[2668364299, 588342322, 56542227], [1462924818, 672778249, 51392304], [1879647339, 2227764775, 4247109518]],
+        increments: [[2668364299, 588342322, 56542227, 0], [1462924818, 672778249, 51392304, 0], [1879647339, 2227764775, 4247109518, 4294967295]],
         tip_start_quarter_turns: 0,
         tip_sign_changes: 0,
         tip_exists: true,
@@ -19,7 +19,6 @@ pub static TOY_TOP: toytop::SizedTable<toytop::fixed::types::I2F30, 32> = match 
         mean_sum_rate: 5.170723,
         axial_rate: 150.0,
         first_phases: [3493103337845293056, 6081764911946436288, 14410232149200346816],
-        whole_turns: [0, 0, -1],
         ticks_per_time: [1000.0, 0.0],
         tip_start: [0, 44416, 2147483648, 0],
         epoch: 0,

@@ -165,6 +165,15 @@ fn ticks_without_a_length_are_refused() {
 }
 
 #[test]
+fn a_tick_of_too_many_turns_is_refused() {
+    let motion = vectors::motion("si_toytop_150");
+    let table = |seconds| SizedTable::<f64, 48>::new(&motion, Tick::ratio(1, seconds).unwrap());
+    let Err(SetUpError::Parameter(error)) = table(u32::MAX) else { panic!("a tick of 136 years") };
+    assert_eq!(error.to_string(), "tick: must be shorter than 2^31 turns of each phase");
+    assert!(table(86_400).is_ok());
+}
+
+#[test]
 fn a_truncation_error_is_finite_and_positive() {
     let motion = vectors::motion("exact_generic_pp");
     let tick = kilohertz();

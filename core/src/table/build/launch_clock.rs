@@ -1,5 +1,6 @@
 //! Clock from the mean rates of a motion and its phases at the launch.
 
+use crate::body::{ParameterError, check};
 use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::phase::{Phase, WrappedPhase};
@@ -7,7 +8,7 @@ use crate::scalar::{Extended, Float};
 use crate::table::data::cell::MIN_SEGMENTS;
 use crate::table::data::{Clock, Table};
 use crate::table::evaluation::TableScalar;
-use crate::table::time::{Increment, Instant, Phases, Tick, is_falling};
+use crate::table::time::{Instant, Phases, Tick, is_falling};
 
 impl<W: Float> Clock<W> {
     /// Clock of a motion; `set_tip_angle_at_launch` adds [`Clock::tip_start`].
@@ -15,26 +16,31 @@ impl<W: Float> Clock<W> {
     /// * `epoch`: tick of the launch
     /// * `rates`: mean rates, turns/s
     /// * `launch`: phases at the launch
+    ///
+    /// # Errors
+    /// `tick`: a phase advances by 2^31 turns or more in a tick.
     pub(super) fn new(
         motion: &Motion,
         tick: Tick,
         epoch: i64,
         rates: Phases<Extended>,
         launch: Phases<Phase>,
-    ) -> Self {
+    ) -> Result<Self, ParameterError> {
+        const MOST_TURNS: f64 = (1_u32 << 31) as f64;
         let length = tick.length();
         // in `u64`, because LLVM 22 compiles a product of `i128` wrongly for RISC-V where the epoch is a constant
         let ticks = epoch.wrapping_sub(i64::MIN) as u64;
         let turns = rates.map(|rate| rate * length);
-        let increments = turns.map(Increment::from);
-        let fractions = increments.map(|increment| increment.fraction);
-        let first_phases = launch.zip_map(fractions, |phase, fraction| {
-            WrappedPhase::from_phase(phase).minus(fraction.times(ticks))
+        let is_short = turns.into_array().into_iter().all(|turns| turns.to_f64().abs() < MOST_TURNS);
+        check(is_short, "tick", "shorter than 2^31 turns of each phase")?;
+        let increments = turns.map(Extended::to_phase);
+        let first_phases = launch.zip_map(increments, |phase, increment| {
+            WrappedPhase::from_phase(phase).minus(WrappedPhase::from_phase(increment).times(ticks))
         });
         let [alpha_winding, beta_winding] = motion.windings();
         let tip_sign_changes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
-        Self {
-            increments: fractions.map(WrappedPhase::words).into_array(),
+        Ok(Self {
+            increments: increments.map(Phase::words).into_array(),
             tip_start_quarter_turns: if alpha_winding == 0 {
                 motion.signs().l_plus_n.as_i32() as i8
             } else {
@@ -49,11 +55,10 @@ impl<W: Float> Clock<W> {
             mean_sum_rate: W::from_f64(((rates.alpha + rates.beta) * Extended::TWO_PI).to_f64()),
             axial_rate: W::from_f64(motion.first_integrals().spin),
             first_phases: first_phases.map(WrappedPhase::leading_bits).into_array(),
-            whole_turns: increments.map(|increment| increment.whole_turns).into_array(),
             ticks_per_time: tick.rate().to_f64_pair(),
             epoch,
             ..Self::ZERO
-        }
+        })
     }
 }
 

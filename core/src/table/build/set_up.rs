@@ -28,7 +28,7 @@ pub enum SetUpError {
     },
     /// The motion is aperiodic; a stepper or its closed form follows it.
     Aperiodic,
-    /// The truncation error is not positive and finite.
+    /// The truncation error is not positive and finite, or a tick so long that a phase advances by 2^31 turns.
     Parameter(ParameterError),
 }
 
@@ -152,8 +152,7 @@ impl<R: TableScalar> Table<R> {
         let truncation = settings.truncation.unwrap_or(R::TRUNCATION);
         let capacity = self.segments.len();
         tabulate::<R>(motion, truncation, workspace, &mut self.segments, capacity, pause)?;
-        self.write_header(&workspace.half_period, motion, settings, pause);
-        Ok(())
+        self.write_header(&workspace.half_period, motion, settings, pause).map_err(SetUpError::Parameter)
     }
 
     /// Writes the cells, the clock and the error bounds.
@@ -164,18 +163,19 @@ impl<R: TableScalar> Table<R> {
         motion: &Motion,
         settings: &TableSettings,
         pause: &mut dyn FnMut(),
-    ) {
+    ) -> Result<(), ParameterError> {
         pause();
         let HalfPeriod { division: Division { cells, segment_count, .. }, mean_rates, launch_phases, .. } =
             half_period;
         self.cells = *cells;
         self.segments.get_mut(*segment_count..).unwrap_or_default().fill(R::ZERO_SEGMENT);
-        self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, *launch_phases);
+        self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, *launch_phases)?;
         pause();
         self.set_tip_angle_at_launch(motion, *launch_phases, pause);
         pause();
         [self.error_bound, self.rate_error_bound] =
             half_period.error_bounds(R::TERMS, &R::ERRORS, motion, settings.tick.length());
+        Ok(())
     }
 }
 

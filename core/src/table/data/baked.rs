@@ -12,7 +12,7 @@ use crate::table::evaluation::{TableScalar, range};
 use crc32::Crc32;
 
 /// Version of the format.
-const FORMAT: u32 = 10;
+const FORMAT: u32 = 11;
 
 /// Fields of a [`SizedTable`] as `toytop bake SCENARIO` writes them, in [the table format](crate::table_format).
 ///
@@ -98,7 +98,6 @@ impl<R: TableScalar> Table<R> {
             .u32(clock.increments.as_flattened())
             .u64(&clock.first_phases)
             .i64(&[clock.epoch])
-            .i64(&clock.whole_turns)
             .f64(&clock.ticks_per_time)
             .u32(&clock.tip_start)
             .u8(&flags)

@@ -2,14 +2,14 @@
 
 use crate::phase::{Phase, WrappedPhase};
 use crate::scalar::{Extended, Float};
-use crate::table::time::{Increment, Instant, Phases};
+use crate::table::time::{Instant, Phases};
 
 /// Numbers of a table that do not depend on the segment, as in [the table format](crate::table_format).
 ///
 /// | for | fields |
 /// |---|---|
 /// | orientation at a tick | `first_phases`, `increments` |
-/// | orientation at a time | also `ticks_per_time`, `whole_turns` |
+/// | orientation at a time | also `ticks_per_time` |
 /// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `mean_sum_rate`, `axial_rate` |
 /// | tip angle | `tip_start`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
@@ -19,8 +19,8 @@ use crate::table::time::{Increment, Instant, Phases};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {
-    /// Increments per tick of the nutation phase and of the mean phases Λ_α and Λ_β, without whole turns, in units of 2^-96 turns, lowest word first.
-    pub increments: [[u32; 3]; 3],
+    /// Increments per tick of the nutation phase and of the mean phases Λ_α and Λ_β, with whole turns, in units of 2^-96 turns, lowest word first.
+    pub increments: [[u32; 4]; 3],
     /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
     pub tip_start_quarter_turns: i8,
     /// Number of the parameters α and β that pass through 0.
@@ -39,8 +39,6 @@ pub struct Clock<W> {
     pub axial_rate: W,
     /// Nutation phase and mean phases at tick `i64::MIN`, in units of 2^-64 turns.
     pub first_phases: [u64; 3],
-    /// Whole turns of the increments per tick, rounded down: `increments` are added to them.
-    pub whole_turns: [i64; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
     /// Mean tip angle at tick 0, with whole turns, in units of 2^-96 turns, lowest word first.
@@ -51,7 +49,7 @@ pub struct Clock<W> {
 
 impl<W: Float> Clock<W> {
     pub(crate) const ZERO: Self = Self {
-        increments: [[0; 3]; 3],
+        increments: [[0; 4]; 3],
         tip_start_quarter_turns: 0,
         tip_sign_changes: 0,
         tip_exists: false,
@@ -61,7 +59,6 @@ impl<W: Float> Clock<W> {
         mean_sum_rate: W::ZERO,
         axial_rate: W::ZERO,
         first_phases: [0; 3],
-        whole_turns: [0; 3],
         ticks_per_time: [0.0; 2],
         tip_start: [0; 4],
         epoch: 0,
@@ -76,23 +73,22 @@ impl<W: Copy> Clock<W> {
     }
 
     #[inline(always)]
-    pub(crate) fn increments(&self) -> Phases<WrappedPhase> {
-        Phases::from_array(self.increments).map(WrappedPhase::new)
+    pub(crate) fn increments(&self) -> Phases<Phase> {
+        Phases::from_array(self.increments).map(Phase::from_words)
     }
 
-    /// Increments with whole turns.
+    /// Increments without whole turns.
     #[inline(always)]
-    pub(crate) fn whole_increments(&self) -> Phases<Increment> {
-        let whole_turns = Phases::from_array(self.whole_turns);
-        whole_turns.zip_map(self.increments(), |whole_turns, fraction| Increment { whole_turns, fraction })
+    pub(crate) fn wrapped_increments(&self) -> Phases<WrappedPhase> {
+        Phases::from_array(self.increments).map(WrappedPhase::from_words)
     }
 
     /// Phases at tick n.
     #[inline(always)]
     pub(crate) fn phases_at_tick(&self, n: i64) -> Phases<WrappedPhase> {
         let since_first = n.wrapping_sub(i64::MIN) as u64;
-        let after = |first: u64, increment: [u32; 3]| {
-            WrappedPhase::new(increment).times(since_first).plus_leading_bits(first)
+        let after = |first: u64, increment: [u32; 4]| {
+            WrappedPhase::from_words(increment).times(since_first).plus_leading_bits(first)
         };
         let [nutation, alpha, beta] = &self.first_phases;
         // by reference: an array of all increments would take nine registers at once
@@ -111,7 +107,7 @@ impl<W: Copy> Clock<W> {
 
     /// Increment of the mean tip angle per tick.
     pub(crate) fn tip_increment(&self) -> Phase {
-        self.mean_tip_advance(self.whole_increments().map(Increment::to_phase))
+        self.mean_tip_advance(self.increments())
     }
 
     /// Advance of the mean tip angle from those of the phases. Each zero of α or β replaces half a turn a period by a passage.
@@ -124,7 +120,7 @@ impl<W: Copy> Clock<W> {
     /// * `nutation`: 64 leading bits of the nutation phase then
     pub(in crate::table) fn mean_tip(&self, Instant { tick, fraction }: Instant, nutation: u64) -> Phase {
         let in_whole_ticks = Phase::from_bits(self.tip_increment().to_bits().wrapping_mul(tick));
-        let in_tick = self.whole_increments().map(|increment| increment.advance_in_tick(fraction));
+        let in_tick = self.increments().map(|increment| increment.times_fraction(fraction));
         let passages = Phase::from_bits(i128::from(nutation as i64) << 31) * self.tip_sign_changes.into();
         Phase::from_words(self.tip_start) + in_whole_ticks + self.mean_tip_advance(in_tick) + passages
     }

@@ -22,7 +22,7 @@ pub struct Table<R: TableScalar, S: ?Sized = [<R as TableScalar>::Segment]> {
 /// Table with a capacity of `SEGMENTS` segments, at least 8 and at most 4096.
 ///
 /// It has the methods of [`Table`]. Size: 4 · SEGMENTS ·
-/// [`TableScalar::TERMS`] coefficients, and 208 bytes, or 224 in `f64`.
+/// [`TableScalar::TERMS`] coefficients, and 200 bytes, or 216 in `f64`.
 pub type SizedTable<R, const SEGMENTS: usize> = Table<R, [<R as TableScalar>::Segment; SEGMENTS]>;
 
 /// Table in `f32`, 2.2 KB: enough for every motion with (e₃ - e₂)/(e₂ - e₁) >= 0.1 and A/(ps) >= 0.4.

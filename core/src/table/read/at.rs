@@ -31,8 +31,8 @@ impl<R: TableScalar> Table<R> {
     pub(crate) fn at_instant(&self, instant: Instant) -> Sample<'_, R> {
         let since_first = Instant { tick: instant.tick.wrapping_sub(i64::MIN.into()), ..instant };
         let phases = Phases::from_array(self.clock.first_phases)
-            .zip_map(self.clock.whole_increments(), |first, increment| {
-                first.wrapping_add(increment.advance(since_first).leading_bits())
+            .zip_map(self.clock.increments(), |first, increment| {
+                first.wrapping_add(since_first.advance(increment).leading_bits())
             });
         Sample { table: self, phases, instant }
     }

@@ -36,7 +36,7 @@ impl<R: TableScalar> Cursor<R> {
     #[inline(always)]
     pub fn next<'a>(&mut self, table: &'a Table<R>) -> Sample<'a, R> {
         debug_assert!(self.belongs_to(table), "a cursor belongs to the table that made it");
-        self.phases.update(table.clock.increments(), WrappedPhase::plus);
+        self.phases.update(table.clock.wrapped_increments(), WrappedPhase::plus);
         let (low, carry) = self.low.overflowing_add(1);
         self.low = low;
         if carry {
@@ -69,7 +69,8 @@ impl<R: TableScalar> Table<R> {
     /// Cursor whose first sample is at tick `first`.
     #[must_use]
     pub fn cursor(&self, first: i64) -> Cursor<R> {
-        let phases = self.clock.phases_at_tick(first).zip_map(self.clock.increments(), WrappedPhase::minus);
+        let phases =
+            self.clock.phases_at_tick(first).zip_map(self.clock.wrapped_increments(), WrappedPhase::minus);
         Cursor { phases, low: 0, high: first.wrapping_sub(1), scalar: PhantomData }
     }
 }

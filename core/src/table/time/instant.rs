@@ -32,6 +32,13 @@ impl Instant {
         Self::new(instant.tick.wrapping_add(tick), instant.fraction + fraction)
     }
 
+    /// Advance of a phase until the instant for its increment per tick, modulo 2^32 turns. Error below 2^-62 turns, and 0 at a tick.
+    #[inline(always)]
+    pub(crate) fn advance(self, increment: Phase) -> Phase {
+        Phase::from_bits(increment.to_bits().wrapping_mul(self.tick))
+            + increment.times_fraction(self.fraction)
+    }
+
     /// Product of two numbers as an instant, rounded down to 2^-96 ticks.
     #[inline(always)]
     fn product(a: f64, b: f64) -> Self {

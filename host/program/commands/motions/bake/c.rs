@@ -101,8 +101,9 @@ fn initialisers<R: TableScalar>(table: &Table<R>, crc32: u32) -> String {
         format!("{{{}}}", words.join(", "))
     };
     let doubles = |numbers: &[f64]| words(&numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>());
-    let phase =
-        |[low, middle, upper]: [u32; 3]| words(&[u64::from(upper) << 32 | u64::from(middle), u64::from(low)]);
+    let phase = |[low, middle, upper, _]: [u32; 4]| {
+        words(&[u64::from(upper) << 32 | u64::from(middle), u64::from(low)])
+    };
     let bounds = [table.error_bound(), table.rate_error_bound()];
     let bounds = bounds.map(|ErrorBound { constant, per_tick }| [constant, per_tick]);
     let rows = table.capacity() * R::TERMS;
@@ -110,7 +111,7 @@ fn initialisers<R: TableScalar>(table: &Table<R>, crc32: u32) -> String {
         format!("{FORMAT}u, {crc32:#x}u, {}u, {}u, ~{rows}u", table.capacity(), R::TERMS),
         format!("{}, {:#x}u", words(&clock.first_phases), clock.epoch as u64),
         format!("{{{}}}", clock.increments.map(phase).join(", ")),
-        words(&clock.whole_turns.map(|turns| turns as u64)),
+        words(&clock.increments.map(|[.., turns]| turns.into())),
         [&clock.ticks_per_time, bounds.as_flattened()].map(doubles).join(", "),
         words(&clock.tip_start.map(u64::from)),
         format!(

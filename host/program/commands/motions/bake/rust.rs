@@ -52,7 +52,7 @@ pub static {name}: toytop::SizedTable{size} = match (toytop::Baked::{size} {{
         clock = fields!(
             table.clock();
             increments, tip_start_quarter_turns, tip_sign_changes, tip_exists, has_turning_points, twice_tip_scale, x_rate,
-            mean_sum_rate, axial_rate, first_phases, whole_turns, ticks_per_time, tip_start, epoch
+            mean_sum_rate, axial_rate, first_phases, ticks_per_time, tip_start, epoch
         ),
         error_bound = table.error_bound(),
         rate_error_bound = table.rate_error_bound(),

@@ -114,10 +114,9 @@ fn expected<R: Printed, const S: usize>(file: &str, [ticks, seconds]: [u32; 2]) 
         }
     }
     state = 1;
-    let [[_, middle, high], ..] = table.clock().increments;
-    let turns_per_tick = table.clock().whole_turns[0] as f64
-        + f64::from(high) * 2_f64.powi(-32)
-        + f64::from(middle) * 2_f64.powi(-64);
+    let [[_, middle, high, whole], ..] = table.clock().increments;
+    let turns_per_tick =
+        f64::from(whole) + f64::from(high) * 2_f64.powi(-32) + f64::from(middle) * 2_f64.powi(-64);
     for k in 0..RATES {
         let tick = next_tick(&mut state, k);
         let now = table.at_tick(tick);

@@ -18,7 +18,7 @@ typedef struct {
     uint64_t first_phases[3];   /* phases at tick INT64_MIN, from which ticks are unsigned numbers */
     uint64_t epoch;             /* tick of the launch, as an unsigned number modulo 2^64 */
     toytop_phase increments[3]; /* increments in a tick, without whole turns */
-    uint64_t whole_turns[3];    /* of the increments, to which they are added, modulo 2^64 */
+    uint32_t whole_turns[3];    /* whole turns of the increments, to which they are added, modulo 2^32 */
     uint64_t ticks_per_time[2]; /* bits of doubles */
     uint64_t error_bounds[4];   /* bits of doubles: of orientation and rates, each at tick 0 and its growth in a tick */
     uint32_t tip_start[4];      /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
@@ -85,10 +85,12 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     sum = toytop_crc(sum, &scalar, 1, 4);
     sum = toytop_crc(sum, &clock->segments, 1, 4);
     sum = toytop_crc(sum, &clock->terms, 1, 4);
-    for (int i = 0; i < 3; i++) sum = toytop_crc(toytop_crc(sum, &clock->increments[i].low, 1, 4), &clock->increments[i].leading, 1, 8);
+    for (int i = 0; i < 3; i++) {
+        sum = toytop_crc(toytop_crc(sum, &clock->increments[i].low, 1, 4), &clock->increments[i].leading, 1, 8);
+        sum = toytop_crc(sum, &clock->whole_turns[i], 1, 4);
+    }
     sum = toytop_crc(sum, clock->first_phases, 3, 8);
     sum = toytop_crc(sum, &clock->epoch, 1, 8);
-    sum = toytop_crc(sum, clock->whole_turns, 3, 8);
     sum = toytop_crc(sum, clock->ticks_per_time, 2, 8);
     sum = toytop_crc(sum, clock->tip_start, 4, 4);
     sum = toytop_crc(sum, clock->flags, 3, 1);
