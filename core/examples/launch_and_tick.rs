@@ -2,7 +2,7 @@
 //!
 //! Set-up runs once per launch and may refuse its input; what an interrupt calls cannot fail.
 
-use toytop::{Motion, Pose, Release, State, TableF32, Tick, Top, TopParameters};
+use toytop::{Motion, Release, State, TableF32, Tick, Top, TopParameters};
 
 fn main() -> Result<(), Box<dyn core::error::Error>> {
     let top = Top::sliding(&TopParameters::TOY)?;
@@ -14,8 +14,8 @@ fn main() -> Result<(), Box<dyn core::error::Error>> {
     // The next tick, three additions after the last one.
     let mut cursor = table.cursor(0);
     for _ in 0..3 {
-        let Pose { orientation, u, .. } = cursor.next(&table).pose();
-        println!("tick {}: quaternion {:?}, u = {u}", cursor.tick(), orientation.quaternion());
+        let sample = cursor.next(&table);
+        println!("tick {}: quaternion {:?}, u = {}", cursor.tick(), sample.quaternion(), sample.u());
     }
 
     // Any other tick costs little more, and the error bound is known before.

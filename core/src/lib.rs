@@ -66,8 +66,8 @@ pub use phase::Phase;
 pub use stepper::Stepper;
 pub use su2::{AttitudeState, Orientation};
 pub use table::{
-    Baked, BakedError, Clock, Cursor, ErrorBound, Pose, Sample, SetUpError, SizedTable, Table, TableF32,
-    TableF64, TableMemory, TableScalar, TableSettings, Tick, Workspace,
+    Baked, BakedError, Clock, Cursor, ErrorBound, Sample, SetUpError, SizedTable, Table, TableF32, TableF64,
+    TableMemory, TableScalar, TableSettings, Tick, Workspace,
 };
 #[cfg(feature = "fixed")]
 pub use table::{TableQ15, TableQ31};

@@ -8,8 +8,8 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::{
     BranchPoints, Complex, FirstIntegrals, InitialAngles, Motion, Orientation, ParameterError, PeriodAdvance,
-    Pose, Release, Sample, Sign, Signs, SizedTable, State, Stepper, TableMemory, TableScalar, TableSettings,
-    Tick, Top, TopParameters, Workspace,
+    Release, Sample, Sign, Signs, SizedTable, State, Stepper, TableMemory, TableScalar, TableSettings, Tick,
+    Top, TopParameters, Workspace,
 };
 
 /// Steps of each motion.
@@ -124,8 +124,8 @@ fn table<R: TableScalar<Quantity: Into<f64>> + Into<f64>, const SEGMENTS: usize>
     let settings = TableSettings { truncation: Some(f64::MAX), ..TableSettings::new(tick) };
     let Ok(table) = memory.set_up(workspace, motion, settings, &mut || {}) else { return hashes };
     let with_sample = |hash: Hash, sample: Sample<'_, R>| {
-        let Pose { orientation: Orientation { alpha, beta }, u, .. } = sample.pose();
-        hash.complex(alpha).complex(beta).number(u).complex(sample.tip())
+        let Orientation { alpha, beta } = sample.orientation();
+        hash.complex(alpha).complex(beta).number(sample.u()).complex(sample.tip())
     };
     let mut cursor = table.cursor(-3);
     for n in (-7_i64..).take(TICKS) {

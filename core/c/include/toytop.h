@@ -52,7 +52,7 @@
 #define TOYTOP_WORKSPACE_SIZE 3432
 
 // Bytes of a sample.
-#define TOYTOP_SAMPLE_SIZE 112
+#define TOYTOP_SAMPLE_SIZE 144
 
 // Bytes of a cursor.
 #define TOYTOP_CURSOR_SIZE 64
@@ -276,11 +276,11 @@ typedef struct toytop_table_q31 {
   uint64_t opaque[283];
 } toytop_table_q31;
 
-// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
+// Sample of a motion at one instant: its orientation, and phases from which each rate is computed on demand. It may be copied.
 //
 // A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
 typedef struct toytop_sample {
-  uint64_t opaque[14];
+  uint64_t opaque[18];
 } toytop_sample;
 
 // Upper bounds on the errors of a table at a tick.

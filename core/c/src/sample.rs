@@ -9,12 +9,12 @@ use toytop::{Complex, Orientation, Sample, Table, TableScalar};
 
 opaque! {
 /// Bytes of a sample.
-TOYTOP_SAMPLE_SIZE = 112;
+TOYTOP_SAMPLE_SIZE = 144;
 
-/// Sample of a motion at one instant: phases, from which each quantity is computed on demand. It may be copied.
+/// Sample of a motion at one instant: its orientation, and phases from which each rate is computed on demand. It may be copied.
 ///
 /// A sample refers to its table, whose memory must still be there. After another set-up in this memory the sample is refused.
-toytop_sample[14]
+toytop_sample[18]
 }
 
 impl<R: TableScalar> Opaque for OfTable<Sample<'static, R>> {

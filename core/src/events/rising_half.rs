@@ -8,7 +8,7 @@ pub(super) const LAST_RISING: u64 = u64::MAX >> 1;
 
 /// Sample at the 64 leading bits of a nutation phase, with mean phases 0.
 pub(super) fn at_phase<R: TableScalar>(table: &Table<R>, nutation: u64) -> Sample<'_, R> {
-    Sample { table, phases: Phases { nutation, alpha: 0, beta: 0 }, instant: Instant::ZERO }
+    Sample::new(table, Phases { nutation, alpha: 0, beta: 0 }, Instant::ZERO)
 }
 
 /// Nutation phase from which on a condition holds while u rises. Cost: 63 evaluations.

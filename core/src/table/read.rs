@@ -11,4 +11,4 @@ mod at;
 mod cursor;
 
 pub use cursor::Cursor;
-pub use sample::{Pose, Sample};
+pub use sample::Sample;

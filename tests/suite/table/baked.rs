@@ -123,7 +123,7 @@ macro_rules! wild {
                 for n in (0..300).map(|n| n * 7).chain([i64::MIN, i64::MAX, draw() as i64]) {
                     let sample = table.at_tick(n);
                     let phi = sample.orientation();
-                    let tip = sample.pose().tip_over_s;
+                    let tip = sample.tip_over_s();
                     let (attitude, wide) = (sample.attitude_state(), sample.tip());
                     let [x, y, z] = attitude.omega();
                     let numbers =

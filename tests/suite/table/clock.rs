@@ -86,7 +86,7 @@ fn a_launch_at_any_tick_gives_the_same_motion() {
 fn times_between_long_ticks_keep_the_bound() {
     let motion = released_from_rest(&toy(), 0.35, 150.0);
     let short = table_of::<f64, 48>(&motion, kilohertz());
-    for (ticks, seconds) in [(1, 86_400), (1, 60), (7, 3), (3, 7_654_321), (1, u32::MAX), (u32::MAX, 1)] {
+    for (ticks, seconds) in [(1, 86_400), (1, 60), (7, 3), (3, 7_654_321), (1, 100_000_000), (u32::MAX, 1)] {
         let long = table_of::<f64, 48>(&motion, tick(ticks, seconds));
         let per_time = f64::from(ticks) / f64::from(seconds);
         for t in [1.2345, -0.1, 1e-7, 59.9, 86_400.0, -12_345.678, 1e6 / 3.0, 4e9] {

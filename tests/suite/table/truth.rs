@@ -34,7 +34,7 @@ fn errors<R: TableScalar<Quantity: Into<f64>> + Into<f64>, const S: usize>(
         let [mut u, mut udot, mut tip_error, mut narrow_error] = [0.0; 4];
         if periods == 1.0 {
             let rate = length(sample.omega().map(Into::into)).max(1.0);
-            let (tip, narrow) = (sample.tip(), sample.pose().tip_over_s);
+            let (tip, narrow) = (sample.tip(), sample.tip_over_s());
             let tip = Complex::new(tip.re.into(), tip.im.into());
             let narrow = Complex::new(narrow.re.into(), narrow.im.into());
             u = (sample.u().into() - truth.u).abs();

@@ -61,7 +61,7 @@ where
             invariants::attitude("attitude", &sample.attitude_state(), error);
             invariants::finite("tip", number(sample.tip()));
             invariants::finite("tip velocity", number(sample.tip_velocity()));
-            let tip = sample.pose().tip_over_s;
+            let tip = sample.tip_over_s();
             invariants::finite("tip", [tip.re.into(), tip.im.into()]);
             assert_eq!(sample.tip_angle().is_none(), motion.regime().is_vertical());
             assert!(sample.nutation_phase() >= Phase::ZERO);

@@ -12,7 +12,7 @@ impl<R: TableScalar> Table<R> {
     #[must_use]
     pub fn at_tick(&self, n: i64) -> Sample<'_, R> {
         let phases = self.clock.phases_at_tick(n).map(WrappedPhase::leading_bits);
-        Sample { table: self, phases, instant: Instant::at_tick(n) }
+        Sample::new(self, phases, Instant::at_tick(n))
     }
 
     /// Sample of the motion t seconds after tick 0. With an epoch, t = 0 is not the launch.
@@ -34,7 +34,7 @@ impl<R: TableScalar> Table<R> {
             .zip_map(self.clock.increments(), |first, increment| {
                 first.wrapping_add(since_first.advance(increment).leading_bits())
             });
-        Sample { table: self, phases, instant }
+        Sample::new(self, phases, instant)
     }
 
     /// Time of tick 2^63, the end of the range of ticks, s.

@@ -43,7 +43,7 @@ impl<R: TableScalar> Cursor<R> {
             self.carry();
         }
         let phases = self.phases.map(WrappedPhase::leading_bits);
-        Sample { table, phases, instant: Instant::at_tick(self.tick()) }
+        Sample::new(table, phases, Instant::at_tick(self.tick()))
     }
 
     /// Whether the phases are those of this table at the tick of the cursor, also after the tick number has wrapped.

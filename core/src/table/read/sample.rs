@@ -1,4 +1,4 @@
-//! Sample of a motion: three phases, from which every quantity is computed when it is asked for.
+//! Sample of a motion: its orientation at one time, and the phases from which its rates are computed when they are asked for.
 
 use crate::body::{ParameterError, State};
 use crate::complex::Complex;
@@ -10,28 +10,27 @@ use crate::table::evaluation::{ComponentOf, TableScalar, orientation, orientatio
 use crate::table::read::located_segment::LocatedSegment;
 use crate::table::time::{Instant, Phases};
 
-/// Sample of a motion at one time. Each method evaluates the table; [`Sample::pose`], [`Sample::orientation_and_omega_body`] and
-/// [`Sample::attitude_state`] do so once for several quantities.
+/// Sample of a motion at one time. It has the orientation; each rate, and the tip angle, takes another evaluation of the table.
 ///
 /// Lengths and rates are in [`TableScalar::Quantity`]: R itself in floating point, `f32` in fixed point.
 #[derive(Clone, Copy, Debug)]
 pub struct Sample<'a, R: TableScalar> {
-    pub(crate) table: &'a Table<R>,
+    pub(in crate::table) table: &'a Table<R>,
     /// 64 leading bits of the phases.
-    pub(crate) phases: Phases<u64>,
-    pub(crate) instant: Instant,
+    pub(in crate::table) phases: Phases<u64>,
+    pub(in crate::table) instant: Instant,
+    /// Orientation before it is rounded to the scalar.
+    unrounded: Orientation<ComponentOf<R>>,
 }
 
-/// Orientation, u and tip of a sample.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Pose<R> {
-    /// Orientation Φ.
-    pub orientation: Orientation<R>,
-    /// Cosine u of the tilt: see [`Sample::u`].
-    pub u: R,
-    /// Position 2αβ of the tip in units of s: see [`Sample::tip`].
-    pub tip_over_s: Complex<R>,
+impl<'a, R: TableScalar> Sample<'a, R> {
+    /// Sample from the 64 leading bits of the phases.
+    #[inline(always)]
+    pub(crate) fn new(table: &'a Table<R>, phases: Phases<u64>, instant: Instant) -> Self {
+        let LocatedSegment { rows, point, .. } = table.segment_at(phases.nutation);
+        let unrounded = orientation::<R>(rows, point, [phases.alpha, phases.beta]);
+        Self { table, phases, instant, unrounded }
+    }
 }
 
 impl<R: TableScalar> Sample<'_, R> {
@@ -45,34 +44,25 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
-        self.unrounded().map(R::from_number)
-    }
-
-    /// Orientation, u and tip.
-    #[inline(always)]
-    #[must_use]
-    pub fn pose(&self) -> Pose<R> {
-        let numbers = self.unrounded();
-        Pose {
-            orientation: numbers.map(R::from_number),
-            u: R::from_number(numbers.u()),
-            tip_over_s: numbers.tip_over_s().map(R::from_number),
-        }
+        self.unrounded.map(R::from_number)
     }
 
     /// Cosine u of the tilt, not limited: a rounding may take it past ±1.
+    #[inline(always)]
     #[must_use]
     pub fn u(&self) -> R {
-        R::from_number(self.unrounded().u())
+        R::from_number(self.unrounded.u())
     }
 
     /// Unit vector r from the tip to the centre of mass, in the fixed frame.
+    #[inline(always)]
     #[must_use]
     pub fn axis(&self) -> Vector<R> {
-        self.unrounded().axis().map(R::from_number)
+        self.unrounded.axis().map(R::from_number)
     }
 
     /// Unit quaternion [w, x, y, z] from body to fixed coordinates.
+    #[inline(always)]
     #[must_use]
     pub fn quaternion(&self) -> [R; 4] {
         self.orientation().quaternion()
@@ -82,16 +72,23 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R::Quantity> {
-        let Orientation { alpha, beta } = self.unrounded();
+        let Orientation { alpha, beta } = self.unrounded;
         (alpha * beta).map(R::to_quantity).scaled(self.table.clock.twice_tip_scale)
+    }
+
+    /// Position 2αβ of the tip in units of s: see [`Sample::tip`].
+    #[inline(always)]
+    #[must_use]
+    pub fn tip_over_s(&self) -> Complex<R> {
+        self.unrounded.tip_over_s().map(R::from_number)
     }
 
     /// Angular velocity ω in the fixed frame, rad/s.
     #[inline(always)]
     #[must_use]
     pub fn omega(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body) = self.unrounded_and_omega_body();
-        orientation.map(R::to_quantity).adjoint(omega_body)
+        let (orientation, omega_body) = self.orientation_and_omega_body();
+        orientation.adjoint(omega_body)
     }
 
     /// Angular velocity Ω in the body frame, rad/s.
@@ -100,14 +97,6 @@ impl<R: TableScalar> Sample<'_, R> {
     pub fn omega_body(&self) -> Vector<R::Quantity> {
         let (_, omega_body) = self.orientation_and_omega_body();
         omega_body
-    }
-
-    /// Orientation, and angular velocity Ω in the body frame, rad/s.
-    #[inline(always)]
-    #[must_use]
-    pub fn orientation_and_omega_body(&self) -> (Orientation<R>, Vector<R::Quantity>) {
-        let (numbers, omega_body) = self.unrounded_and_omega_body();
-        (numbers.map(R::from_number), omega_body)
     }
 
     /// Rate u' of the cosine of the tilt, per unit time.
@@ -130,8 +119,8 @@ impl<R: TableScalar> Sample<'_, R> {
     /// Orientation and its rate, from which ω and u' follow.
     #[must_use]
     pub fn attitude_state(&self) -> AttitudeState<R::Quantity> {
-        let (numbers, omega_body) = self.unrounded_and_omega_body();
-        AttitudeState::from_body(numbers.map(R::to_quantity), omega_body)
+        let (orientation, omega_body) = self.orientation_and_omega_body();
+        AttitudeState::from_body(orientation, omega_body)
     }
 
     /// State, with the error of the sample, from which another motion can be launched.
@@ -142,26 +131,21 @@ impl<R: TableScalar> Sample<'_, R> {
         State::from_attitude(&self.attitude_state())
     }
 
+    /// Φ and Ω by one evaluation.
     #[inline(always)]
-    fn unrounded(&self) -> Orientation<ComponentOf<R>> {
+    fn orientation_and_omega_body(&self) -> (Orientation<R::Quantity>, Vector<R::Quantity>) {
         let Phases { nutation, alpha, beta } = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
-        orientation::<R>(rows, point, [alpha, beta])
-    }
-
-    /// Unrounded orientation, and Ω.
-    #[inline(always)]
-    fn unrounded_and_omega_body(&self) -> (Orientation<ComponentOf<R>>, Vector<R::Quantity>) {
-        let Phases { nutation, alpha, beta } = self.phases;
-        let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
-        orientation_and_omega_body::<R>(rows, point, [alpha, beta], self.table.clock.rates())
+        let (unrounded, omega_body) =
+            orientation_and_omega_body::<R>(rows, point, [alpha, beta], self.table.clock.rates());
+        (unrounded.map(R::to_quantity), omega_body)
     }
 
     /// Rate r' of the axis in the fixed frame.
     #[inline(always)]
     fn axis_rate(&self) -> Vector<R::Quantity> {
-        let (orientation, omega_body) = self.unrounded_and_omega_body();
-        orientation.map(R::to_quantity).axis_rate(omega_body)
+        let (orientation, omega_body) = self.orientation_and_omega_body();
+        orientation.axis_rate(omega_body)
     }
 }
 

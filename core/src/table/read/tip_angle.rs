@@ -25,7 +25,7 @@ impl<R: TableScalar> Sample<'_, R> {
     }
 
     pub(crate) fn tip_angle_unchecked(&self) -> Phase {
-        let Self { table, phases: Phases { nutation, .. }, instant } = *self;
+        let Self { table, phases: Phases { nutation, .. }, instant, .. } = *self;
         table.clock.mean_tip(instant, nutation) + table.tabulated_tip_angle(nutation, &mut || {})
     }
 }

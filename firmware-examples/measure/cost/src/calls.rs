@@ -3,9 +3,8 @@
 use fixed::types::{I2F14, I2F30};
 use toytop::scalar::{Real, Ring};
 use toytop::{
-    Complex, Cursor, Motion, Orientation, ParameterError, Pose, Release, Sample, SizedTable, State, Stepper,
-    Table, TableF32, TableF64, TableMemory, TableQ15, TableQ31, TableScalar, Tick, Top, TopParameters,
-    Workspace,
+    Complex, Cursor, Motion, Orientation, ParameterError, Release, Sample, SizedTable, State, Stepper, Table,
+    TableF32, TableF64, TableMemory, TableQ15, TableQ31, TableScalar, Tick, Top, TopParameters, Workspace,
 };
 
 /// Number of ticks per second.
@@ -111,8 +110,7 @@ impl<R: Ring> Output<R> {
 impl<R: TableScalar> From<Sample<'_, R>> for Output<R> {
     #[inline(always)]
     fn from(sample: Sample<'_, R>) -> Self {
-        let Pose { orientation, u, tip_over_s } = sample.pose();
-        Self { orientation, u, c: tip_over_s }
+        Self { orientation: sample.orientation(), u: sample.u(), c: sample.tip_over_s() }
     }
 }
 
@@ -195,11 +193,13 @@ symbols! {
     }
 
     fn bench_omega_f32(table: &TableF32, tick: i64, out: &mut Rates<f32>) {
-        *out = rates(table.at_tick(tick).orientation_and_omega_body());
+        let sample = table.at_tick(tick);
+        *out = rates((sample.orientation(), sample.omega_body()));
     }
 
     fn bench_omega_q31(table: &TableQ31, tick: i64, out: &mut Rates<I2F30>) {
-        *out = rates(table.at_tick(tick).orientation_and_omega_body());
+        let sample = table.at_tick(tick);
+        *out = rates((sample.orientation(), sample.omega_body()));
     }
 
     fn bench_omega_fixed_f32(table: &TableF32, tick: i64, out: &mut Rates<f32>) {

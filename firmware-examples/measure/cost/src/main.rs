@@ -30,7 +30,7 @@ use full_equations::{Constants, Point};
 use semihosting::process;
 use toytop::scalar::{Float, Real};
 use toytop::{
-    Motion, Orientation, Phase, Pose, State, Stepper, TableF32, TableF64, TableQ15, TableQ31, Tick, Workspace,
+    Motion, Orientation, Phase, State, Stepper, TableF32, TableF64, TableQ15, TableQ31, Tick, Workspace,
 };
 use toytop_cost::entry;
 use toytop_cost::meter::Meter;
@@ -195,7 +195,8 @@ fn sine<A: Copy, O: Default>(
 
 /// Asserts that a baseline has the orientation and tip of the table after the same number of ticks.
 fn same_motion<R: Float>(out: &Output<R>, truth: &TableF32) {
-    let Pose { orientation, u, tip_over_s: tip } = truth.at_tick(CALLS as i64).pose();
+    let sample = truth.at_tick(CALLS as i64);
+    let (orientation, u, tip) = (sample.orientation(), sample.u(), sample.tip_over_s());
     let near = |found: R, there: f32| (found.to_f64() - f64::from(there)).abs() < 1e-5;
     let Orientation { alpha, beta } = out.orientation;
     assert!(

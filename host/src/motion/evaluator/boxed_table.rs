@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 use toytop::scalar::Float;
 use toytop::{
-    Event, Motion, Pose, SetUpError, SizedTable, Table, TableMemory, TableScalar, TableSettings, Workspace,
+    Event, Motion, SetUpError, SizedTable, Table, TableMemory, TableScalar, TableSettings, Workspace,
 };
 
 macro_rules! capacities {
@@ -97,8 +97,7 @@ impl<R: TableScalar> BoxedTable<R> {
         }
         // all other columns are functions of the orientation and u
         if !matches!(column, Some(T | Udot | Omega | OmegaBody | Tip | TipAngle | ErrorBound)) {
-            let Pose { orientation, u, .. } = now.pose();
-            (sample.orientation, sample.u) = (orientation.map(R::into), u.into());
+            (sample.orientation, sample.u) = (now.orientation().map(R::into), now.u().into());
         }
         if needs(Omega) {
             sample.rates.omega = now.omega().map(Float::to_f64);

@@ -150,7 +150,7 @@ trait Printed: TableScalar + Into<f64> + Debug {
     }
 
     fn tip(sample: &Sample<'_, Self>) -> Complex<Self> {
-        sample.pose().tip_over_s
+        sample.tip_over_s()
     }
 }
 
