@@ -1,9 +1,9 @@
 //! Constants of a motion in extended precision: [`State`](crate::State) → [`FirstIntegrals`] →
 //! [`BranchPoints`] → [`Regime`], [`TipClass`].
 
-mod first_integrals;
-
 mod reduced_point;
+
+mod first_integrals;
 
 pub(crate) mod cubic;
 

@@ -74,7 +74,7 @@ impl BranchPoints<Extended> {
             return Self::from_differences(point.one_plus_u, point.one_minus_u, zero, infinite);
         }
         // (e₁ - u) + (e₂ - u) = 2 (l n/|m|² - u), and (e₁ - u)(e₂ - u) = -(A u'/|m|)²
-        let half_sum = (n * point.l_minus_nu(integrals) - point.u * (a * point.scaled_axis_energy).doubled())
+        let half_sum = (n * integrals.l_minus_nu(point) - point.u * (a * point.scaled_axis_energy).doubled())
             / momentum.squared();
         let half_difference = (half_sum.squared() + (a * point.udot / momentum).squared()).sqrt();
         let e2_minus_e1 = half_difference.doubled();
@@ -165,7 +165,7 @@ impl LowerBranchPoints {
         let sine_squared = one_minus_u * one_plus_u;
         let g0 = top.length_d(sine_squared) * udot.squared() / top.g.doubled();
         let g1 = -(u * scaled_axis_energy).doubled() - sine_squared
-            + (energy_factor * n * point.l_minus_nu(integrals)).doubled();
+            + (energy_factor * n * integrals.l_minus_nu(point)).doubled();
         let g2 = u.doubled() - scaled_axis_energy - energy_factor * n.squared();
         let cubic = Cubic { g0, g1, g2 };
         pause();
