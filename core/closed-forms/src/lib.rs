@@ -4,9 +4,6 @@
 // Modules in the order of dependence: each one uses only those above it.
 pub mod elliptic;
 
-// Branch points of l, n and h.
-mod integrals;
-
 // Parts of the solutions.
 mod theta_quotient;
 
@@ -38,6 +35,5 @@ pub use aperiodic::Aperiodic;
 pub use closed_form::{ClosedForm, NoClosedForm};
 pub use e3_equals_e4::E3EqualsE4;
 pub use free_body::FreeBody;
-pub use integrals::branch_points_from_integrals;
 pub use lagrange::Lagrange;
 pub use precession::{RegularPrecession, Stability, SteadyPrecession};

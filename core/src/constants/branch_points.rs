@@ -4,6 +4,8 @@
 
 mod from_reduced_point;
 
+mod from_integrals;
+
 use crate::body::{ParameterError, Top, check_range};
 use crate::constants::{FirstIntegrals, Signs};
 use crate::scalar::{Extended, Float, Ring, numeric_struct};

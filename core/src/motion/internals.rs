@@ -1,10 +1,10 @@
-//! Parts of a motion for the crates beside this one: unrounded constants, phases, and branch points of first integrals.
+//! Parts of a motion for the crates beside this one: unrounded constants and phases.
 
-use crate::body::{ParameterError, Top};
-use crate::constants::{BranchPoints, FirstIntegrals, ReducedPoint};
+use crate::body::Top;
+use crate::constants::{BranchPoints, FirstIntegrals};
 use crate::motion::Motion;
 use crate::phase::Phase;
-use crate::scalar::{Extended, Float, Ring};
+use crate::scalar::Extended;
 
 /// Constants of a motion in extended precision.
 pub struct ExtendedConstants<'a> {
@@ -54,21 +54,4 @@ pub fn period_and_rotations(motion: &Motion) -> Option<(Extended, [Phase; 2])> {
     let period = motion.period::<Extended>(&motion.equations(), &mut || {})?;
     let rotations = period.rotations(motion.half_tau).map(|angle| angle.radians_to_turns().to_phase());
     Some((period.time, rotations))
-}
-
-/// Branch points of the motion with first integrals l, n and h through a point of the reduced curve, given by u, u' and the kinetic energy
-/// of the axis in units of p g, or of 1 without torque.
-///
-/// # Errors
-/// `omega`: e₃ above 1e14.
-pub fn branch_points_through(
-    top: &Top,
-    [l, n, h]: [Extended; 3],
-    [u, udot, scaled_axis_energy]: [Extended; 3],
-) -> Result<BranchPoints, ParameterError> {
-    let integrals = FirstIntegrals { l, n, h, spin: top.spin(n), l_plus_n: l + n, l_minus_n: l - n };
-    let [one_minus_u, one_plus_u] = [Extended::ONE - u, Extended::ONE + u];
-    let point = ReducedPoint { u, one_minus_u, one_plus_u, udot, scaled_axis_energy };
-    let e = BranchPoints::from_reduced_point(top, &integrals, &point, &mut || {})?;
-    Ok(e.map(Float::to_f64))
 }

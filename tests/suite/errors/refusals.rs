@@ -1,10 +1,9 @@
 //! Refusals, by the name of the parameter. Values just inside the allowed range are accepted.
 
 use toytop::{
-    Complex, InitialAngles, Motion, Orientation, ParameterError, PointImpulse, Release, SetUpError, Signs,
-    SizedTable, State, TableSettings, Tick, Top, TopParameters,
+    BranchPoints, Complex, InitialAngles, Motion, Orientation, ParameterError, PointImpulse, Release,
+    SetUpError, Signs, SizedTable, State, TableSettings, Tick, Top, TopParameters,
 };
-use toytop_closed_forms::branch_points_from_integrals;
 use toytop_tests::{kilohertz, top_of, toy, vectors};
 
 fn parameter<T>(result: Result<T, ParameterError>) -> Option<&'static str> {
@@ -154,7 +153,7 @@ fn motions_too_fast_and_energies_too_low_are_refused() {
         ([0.0, 0.0, -1.0 - 1e-6], Some("h")),
         ([f64::NAN, 2.0, 1.0], Some("l")),
     ] {
-        assert_eq!(parameter(branch_points_from_integrals(&top(), l, n, h)), refused, "{l} {n} {h}");
+        assert_eq!(parameter(BranchPoints::from_integrals(&top(), l, n, h)), refused, "{l} {n} {h}");
     }
 }
 

@@ -4,8 +4,8 @@
 use fixed::types::{I2F14, I2F30};
 use serde_json::Value;
 use toytop::scalar::Real;
-use toytop::{Motion, Orientation, State, Stepper, TableScalar, Top, TopParameters};
-use toytop_closed_forms::{ClosedForm, branch_points_from_integrals};
+use toytop::{BranchPoints, Motion, Orientation, State, Stepper, TableScalar, Top, TopParameters};
+use toytop_closed_forms::ClosedForm;
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
 use toytop_tests::{apart, check_all, keep, kilohertz, length, table_of, tolerance, widened};
 
@@ -131,12 +131,12 @@ fn integrals_of_a_free_body_have_its_branch_points() {
     for case in bodies {
         let (top, integrals) = (case.motion.top(), case.motion.first_integrals());
         let e = case.motion.branch_points();
-        let found = branch_points_from_integrals(top, integrals.l, integrals.n, integrals.h).unwrap();
+        let found = BranchPoints::from_integrals(top, integrals.l, integrals.n, integrals.h).unwrap();
         for (found, e) in [(found.e1, e.e1), (found.e2, e.e2), (found.e2_minus_e1, e.e2_minus_e1)] {
             assert!((found - e).abs() < 1e-14, "{}: {found} {e}", case.name);
         }
         count += 1;
-        let low = branch_points_from_integrals(top, integrals.l, integrals.n, 0.0);
+        let low = BranchPoints::from_integrals(top, integrals.l, integrals.n, 0.0);
         assert!(low.is_err_and(|error| error.parameter() == "h"), "{}", case.name);
     }
     assert!(count >= 6);

@@ -3,8 +3,9 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed};
 use toytop::su2::dot;
-use toytop::{FirstIntegrals, InitialAngles, Motion, Orientation, Release, Signs, State, Stepper, Top};
-use toytop_closed_forms::branch_points_from_integrals;
+use toytop::{
+    BranchPoints, FirstIntegrals, InitialAngles, Motion, Orientation, Release, Signs, State, Stepper, Top,
+};
 use toytop_tests::top_of;
 
 pub(crate) fn config(cases: u32) -> Config {
@@ -99,7 +100,7 @@ proptest! {
         let integrals = FirstIntegrals::from_state(&top, &state);
         let scale = integrals.l.abs().max(integrals.n.abs());
         let FirstIntegrals { l, n, h, .. } = integrals;
-        let of_integrals = branch_points_from_integrals(&top, l, n, h).unwrap();
+        let of_integrals = BranchPoints::from_integrals(&top, l, n, h).unwrap();
         for e in [Motion::launch(&top, &state).unwrap().branch_points(), of_integrals] {
             prop_assert!(-1.0 <= e.e1 && e.e1 <= e.e2 && e.e2 <= 1.0 && 1.0 <= e.e3);
             let again = e.integrals(&top, integrals.signs());

@@ -1,10 +1,10 @@
 //! Every kind of motion is recognised and computed without NaN.
 
 use toytop::{
-    Complex, FirstIntegrals, InitialAngles, Motion, Orientation, Regime, Release, State, Stepper, TipClass,
-    Top,
+    BranchPoints, Complex, FirstIntegrals, InitialAngles, Motion, Orientation, Regime, Release, State,
+    Stepper, TipClass, Top,
 };
-use toytop_closed_forms::{RegularPrecession, branch_points_from_integrals};
+use toytop_closed_forms::RegularPrecession;
 use toytop_tests::random_bytes::invariants;
 use toytop_tests::{DIFFERENT, SAME, SIGNS, by_branch_points, released, top_of, toy, vectors};
 
@@ -119,7 +119,7 @@ fn the_integrals_of_degenerate_motions_are_accepted() {
         {
             let top = top_of([1.1, 0.8, 0.6, mass_moment], 1.0);
             let FirstIntegrals { l, n, h, .. } = by_branch_points(&top, e, signs).first_integrals();
-            let again = branch_points_from_integrals(&top, l, n, h).unwrap();
+            let again = BranchPoints::from_integrals(&top, l, n, h).unwrap();
             // half of the digits of a double root are correct
             for (x, y) in [again.e1, again.e2, again.e3].into_iter().zip(e) {
                 assert!((x - y).abs() < 1e-7, "{x} {y}");

@@ -11,12 +11,12 @@ use toytop::fixed::types::{I2F14, I2F30};
 use toytop::scalar::Real;
 use toytop::su2::Orientation;
 use toytop::{
-    Complex, FirstIntegrals, InitialAngles, Level, Motion, ParameterError, Phase, PointImpulse, Release,
-    Sign, Signs, SizedTable, State, Stepper, Table, TableMemory, TableScalar, TableSettings, Tick, Top,
-    TopParameters, Workspace,
+    BranchPoints, Complex, FirstIntegrals, InitialAngles, Level, Motion, ParameterError, Phase, PointImpulse,
+    Release, Sign, Signs, SizedTable, State, Stepper, Table, TableMemory, TableScalar, TableSettings, Tick,
+    Top, TopParameters, Workspace,
 };
+use toytop_closed_forms::ClosedForm;
 use toytop_closed_forms::elliptic::{Jacobi, Weierstrass, agm, carlson_rf};
-use toytop_closed_forms::{ClosedForm, branch_points_from_integrals};
 use toytop_fit::{
     Accelerometer, AxisCamera, Fit, FreeRatio, Gyroscope, Magnetometer, Mark, Measurement, Mounting, Noise,
     OrientationCamera, Sensitivity, Sensor, TipCamera,
@@ -75,7 +75,7 @@ fn set_up() -> Result<(), ParameterError> {
         fit(&top);
         let sign = |x| Sign::new(x);
         let signs = Signs { l_plus_n: sign(unknown()), l_minus_n: sign(unknown()) };
-        black_box(branch_points_from_integrals(&top, unknown(), unknown(), unknown())?);
+        black_box(BranchPoints::from_integrals(&top, unknown(), unknown(), unknown())?);
         let start = InitialAngles { theta: unknown(), arg_alpha: unknown(), arg_beta: unknown() };
         let motion = Motion::from_branch_points(&top, [unknown(); 3], signs, &start)?;
         black_box(motion.branch_points().integrals(&top, signs));
