@@ -49,7 +49,8 @@ pub mod internal {
     pub use crate::body::{check, check_finite, check_item};
     pub use crate::motion::internals::*;
     pub use crate::scalar::sine::{
-        COSINE, CUBIC, LINEAR, SINE, SINES, SMALL_SINE, VERSINE, rotate_quarter_turns,
+        COSINE, CUBIC, LINEAR, SINE, SINES, SMALL_SINE, VERSINE, exact_sine_cosine, rotate_quarter_turns,
+        sine_cosine_series,
     };
     pub use crate::table::{MAX_SEGMENTS, MIN_SEGMENTS};
 }

@@ -1,10 +1,9 @@
 //! Cayley-Klein parameters of the elliptic cases, as quotients of theta functions, their zeros, and the elliptic integral of χ.
 
 use crate::elliptic::agm::{carlson_rf, first_kind};
-use crate::elliptic::elementary::{
-    ValueAndSlope, WideComplex, angle, complex_exp, quotient, sine_cosine_of_phase,
-};
+use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, complex_exp, quotient};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
+use toytop::internal::exact_sine_cosine;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{BranchPoints, Phase, Signs};
 
@@ -56,7 +55,7 @@ impl ThetaQuotient {
 /// Elliptic integral x of an angle, up to a right angle: its sine is sn(√`length` x), where `length` = `swing` + `gap` and the modulus is
 /// √(`swing`/`length`).
 pub(crate) fn elliptic_integral(angle: Phase, [length, swing, gap]: [Extended; 3]) -> Extended {
-    let (sine, cosine) = sine_cosine_of_phase(angle);
+    let (sine, cosine) = exact_sine_cosine(angle);
     let squared = cosine.squared();
     sine * carlson_rf(length * squared, gap + swing * squared, length)
 }

@@ -6,6 +6,7 @@
 //! | `sine_cosine_f64` | phase of 64 bits | `f64`, from polynomials |
 //! | `sine_cosine_of_phase`, `of_radians` | phase of 96 bits, angle | `f64`, relatively exact, from the same polynomials |
 //! | `sine_cosine_q57` | phase of 96 bits | integers, from power series |
+//! | `exact_sine_cosine`, `sine_cosine_series` | phase of 96 bits, angle up to π/4 | wide numbers, relatively exact |
 //!
 //! `host` writes the constants into tables for C.
 
@@ -15,11 +16,8 @@ mod points;
 
 mod q57;
 
-#[cfg(test)]
-use crate::{
-    phase::Phase,
-    scalar::{Extended, Ring},
-};
+mod series;
+
 use core::ops::Neg;
 
 pub use chebyshev::{COSINE, SINE};
@@ -29,25 +27,13 @@ pub(crate) use points::coarse_sine_cosine_q30;
 pub use points::{CUBIC, LINEAR, SINES, SMALL_SINE, VERSINE};
 pub(crate) use points::{short_sine_cosine_q31, sine_cosine_q31};
 pub(crate) use q57::{SINE_BITS, sine_cosine_q57};
+pub use series::{exact_sine_cosine, sine_cosine_series};
 
 /// Sine and cosine of an angle that is larger by quarter turns.
 #[inline(always)]
 pub fn rotate_quarter_turns<T: Neg<Output = T>>(quarters: u32, (sine, cosine): (T, T)) -> (T, T) {
     let (sine, cosine) = if quarters & 1 == 0 { (sine, cosine) } else { (cosine, -sine) };
     if quarters & 2 == 0 { (sine, cosine) } else { (-sine, -cosine) }
-}
-
-#[cfg(test)]
-/// Sine and cosine to 1e-31, by 40 terms of their power series.
-pub(super) fn exact_sine_cosine(phase: Phase) -> (Extended, Extended) {
-    let x = Extended::from(phase.principal()) * Extended::TWO_PI;
-    let sum = |first: u32| {
-        (0..40).rev().fold(Extended::ONE, |sum, k| {
-            let n = f64::from(2 * k + first);
-            Extended::ONE - x.squared() * sum / Extended::from(n * (n + 1.0))
-        })
-    };
-    (x * sum(2), sum(1))
 }
 
 #[cfg(test)]

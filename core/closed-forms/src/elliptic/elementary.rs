@@ -4,9 +4,9 @@
 //! argument 0 of an odd function; near the other zeros of a sine or cosine the error is absolute. The logarithm and the angle take one step of Newton's method from their `f64`
 //! values, which squares the relative error.
 
-use toytop::internal::rotate_quarter_turns;
+use toytop::Complex;
+use toytop::internal::{exact_sine_cosine, rotate_quarter_turns, sine_cosine_series};
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::{Complex, Phase};
 
 /// Constant ln 2.
 fn ln_two() -> Extended {
@@ -21,17 +21,20 @@ pub(crate) fn half_pi() -> Extended {
 /// Exponential function eˣ. It is 0 below x = -1e6, and e^1e6 above x = 1e6.
 pub(crate) fn exp(x: Extended) -> Extended {
     const LARGEST: f64 = 1e6;
-    const TERMS: u32 = 28;
     if x.to_f64() < -LARGEST {
         return Extended::ZERO;
     }
     let x = if x.to_f64() > LARGEST { Extended::from(LARGEST) } else { x };
     let twos = libm::round(x.to_f64() / core::f64::consts::LN_2);
     let remainder = x - ln_two() * twos.into();
-    let series = (1..=TERMS)
-        .rev()
-        .fold(Extended::ONE, |sum, n| Extended::ONE + remainder * sum / Extended::from(f64::from(n)));
-    series.ldexp(twos as i32)
+    (Extended::ONE + growth_series(remainder)).ldexp(twos as i32)
+}
+
+/// Growth eˣ - 1 for |x| <= 1/2, by its power series.
+fn growth_series(x: Extended) -> Extended {
+    const TERMS: u32 = 28;
+    let sum = |sum, n| Extended::ONE + x * sum / Extended::from(f64::from(n));
+    x * (2..=TERMS).rev().fold(Extended::ONE, sum)
 }
 
 /// Natural logarithm of x > 0. The error is absolute near x = 1.
@@ -50,45 +53,24 @@ pub(crate) fn ln(x: Extended) -> Extended {
     (guess + (x * exp(-guess) - Extended::ONE)) * times
 }
 
-/// (sin x, cos x) for `sign` = -1 and |x| <= π/4, or (sinh x, cosh x) for `sign` = 1, by power series.
-fn series(x: Extended, sign: f64) -> (Extended, Extended) {
-    const TERMS: u32 = 15;
-    let square = x.squared() * sign.into();
-    let sum = |first: u32| {
-        (0..TERMS).rev().fold(Extended::ONE, |sum, k| {
-            let n = f64::from(2 * k + first);
-            Extended::ONE + square * sum / Extended::from(n * (n + 1.0))
-        })
-    };
-    (x * sum(2), sum(1))
-}
-
 /// (sin x, cos x), x in rad. The absolute error is about 1e-31 (1 + |x|) below 2^20 rad, and 4e-29 rad beyond.
 pub(crate) fn sine_cosine(x: Extended) -> (Extended, Extended) {
     const FAR: f64 = (1 << 20) as f64;
     if Float::abs(x.to_f64()) > FAR {
-        return sine_cosine_of_phase(x.radians_to_turns().to_phase());
+        return exact_sine_cosine(x.radians_to_turns().to_phase());
     }
     let quadrant = libm::round(x.to_f64() * core::f64::consts::FRAC_2_PI);
     let remainder = x - half_pi() * quadrant.into();
-    rotate_quarter_turns(quadrant as i32 as u32, series(remainder, -1.0))
-}
-
-/// (sin 2πx, cos 2πx) of a phase of x turns.
-pub(crate) fn sine_cosine_of_phase(phase: Phase) -> (Extended, Extended) {
-    let (quadrant, remainder) = phase.quadrant();
-    rotate_quarter_turns(quadrant, series(Extended::from(remainder) * Extended::TWO_PI, -1.0))
+    rotate_quarter_turns(quadrant as i32 as u32, sine_cosine_series(remainder, &mut || {}))
 }
 
 /// (sinh x, cosh x).
 pub(crate) fn sinh_cosh(x: Extended) -> (Extended, Extended) {
-    if Float::abs(x.to_f64()) <= 0.5 {
-        return series(x, 1.0);
-    }
-    let grown = exp(x.abs());
-    let shrunk = Extended::ONE / grown;
-    let sinh = (grown - shrunk).halved();
-    (if x.to_f64() < 0.0 { -sinh } else { sinh }, (grown + shrunk).halved())
+    let size = x.abs();
+    let growth = if size.to_f64() <= 0.5 { growth_series(size) } else { exp(size) - Extended::ONE };
+    let grown = Extended::ONE + growth;
+    let sinh = (growth + growth / grown).halved();
+    (if x.to_f64() < 0.0 { -sinh } else { sinh }, (grown + Extended::ONE / grown).halved())
 }
 
 /// (tanh x, sech x, ln sech x).

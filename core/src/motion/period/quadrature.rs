@@ -8,6 +8,7 @@ use super::Period;
 use super::elliptic_equations::EllipticEquations;
 use super::landen::{JacobiFractions, Landen};
 use crate::motion::phase_equations::PhaseEquations;
+use crate::scalar::sine::sine_cosine_series;
 use crate::scalar::{Extended, Float};
 
 impl Period {
@@ -50,7 +51,7 @@ fn trapezoid_sums<F: Float>(
 ) -> [F; 3] {
     let quarter_turn = Extended::TWO_PI.halved().halved();
     let angle = F::from_extended(quarter_turn) / F::from_f64(intervals.into());
-    let [step_sine, step_cosine] = sine_cosine(angle, pause);
+    let (step_sine, step_cosine) = sine_cosine_series(angle, pause);
     let [mut sine, mut cosine] = [F::ZERO, F::ONE];
     let mut sums = [F::ZERO; 3];
     for node in 0..=intervals / 2 {
@@ -78,28 +79,6 @@ fn add_integrands<F: Float>(
     for (sum, integrand) in sums.iter_mut().zip(elliptic.at(fractions)) {
         *sum = *sum + if is_end { integrand.halved() } else { integrand };
     }
-}
-
-/// Sine and cosine of an angle of at most π/4, by their power series.
-#[inline(never)]
-fn sine_cosine<F: Float>(angle: F, pause: &mut dyn FnMut()) -> [F; 2] {
-    /// Number of terms after which the next is below 2^-128.
-    const TERMS: u32 = 32;
-    let [mut sine, mut cosine, mut term] = [F::ZERO, F::ONE, F::ONE];
-    for k in 1..TERMS {
-        pause();
-        term = term * angle / F::from_f64(k.into());
-        match k % 4 {
-            0 => cosine = cosine + term,
-            1 => sine = sine + term,
-            2 => cosine = cosine - term,
-            _ => sine = sine - term,
-        }
-        if term <= angle * F::from_f64(0.1 * F::OPERATION_ERROR) {
-            break;
-        }
-    }
-    [sine, cosine]
 }
 
 #[cfg(test)]
