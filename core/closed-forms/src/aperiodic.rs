@@ -19,7 +19,7 @@ use crate::inverse::solve_increasing;
 use crate::orientation::ArgumentOffsets;
 use constants::{AperiodicConstants, AperiodicValues, FixedTip};
 use sliding::Sliding;
-use toytop::internal::{ExtendedConstants, aperiodic_v};
+use toytop::internal::ExtendedConstants;
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::{AttitudeState, Complex, Motion, Phase, Support};
 
@@ -96,8 +96,8 @@ impl Aperiodic {
     /// Closed form of a motion; `None` unless e₂ = e₃ = 1 and u < 1.
     #[must_use]
     pub fn new(motion: &Motion) -> Option<Self> {
-        let ExtendedConstants { a, s, p, g, e, integrals, .. } = motion.into();
-        let v = Extended::from(aperiodic_v(motion)?);
+        let ExtendedConstants { a, s, p, g, e, integrals, aperiodic_v, .. } = motion.into();
+        let v = Extended::from(aperiodic_v?);
         let one_minus_e1 = e.one_minus_e1();
         let constants =
             AperiodicConstants { e1: e.e1, one_plus_e1: e.one_plus_e1, one_minus_e1, a_over_p: a / p, s, g };

@@ -24,32 +24,30 @@ pub struct ExtendedConstants<'a> {
     pub half_tau: Extended,
     /// Half phase χ at t = 0; `None` for a steady motion.
     pub half_phase: Option<Phase>,
+    /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
+    pub aperiodic_v: Option<f64>,
 }
 
 impl<'a> From<&'a Motion> for ExtendedConstants<'a> {
     fn from(motion: &'a Motion) -> Self {
-        let Motion { top: Top { a, s, p, g, .. }, branch_points, integrals, half_tau, half_phase, .. } =
-            motion;
+        let Top { a, s, p, g, .. } = motion.top;
         Self {
-            a: *a,
-            s: *s,
-            p: *p,
-            g: *g,
-            e: branch_points,
-            integrals,
-            half_tau: *half_tau,
-            half_phase: *half_phase,
+            a,
+            s,
+            p,
+            g,
+            e: &motion.branch_points,
+            integrals: &motion.integrals,
+            half_tau: motion.half_tau,
+            half_phase: motion.half_phase,
+            aperiodic_v: motion.aperiodic_v(),
         }
     }
 }
 
-/// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
-pub fn aperiodic_v(motion: &Motion) -> Option<f64> {
-    motion.aperiodic_v()
-}
-
 /// Unrounded period of a motion, s, and its rotations about the vertical, ψ_α(T) + ψ_β(T), and about the axis, ψ_α(T) - ψ_β(T) + τT;
-/// `None` where [`Motion::period_advance`] is.
+/// `None` where [`Motion::period_advance`] is. The advances of a [`PeriodAdvance`](crate::PeriodAdvance) lack half a turn
+/// where α or β passes through 0.
 pub fn period_and_rotations(motion: &Motion) -> Option<(Extended, [Phase; 2])> {
     let period = motion.period::<Extended>(&motion.equations(), &mut || {})?;
     let rotations = period.rotations(motion.half_tau).map(|angle| angle.radians_to_turns().to_phase());
