@@ -51,7 +51,7 @@ impl<R: TableScalar> Table<R> {
     /// Turning points of u at tick `from` or later. There are none where the tilt is constant to 2^-49 rad.
     #[must_use]
     pub fn turning_points(&self, from: i64) -> Events<'_, R> {
-        self.at_phases([Some(Phase::HALF), Some(Phase::ZERO)], from)
+        self.events_at([Some(Phase::HALF), Some(Phase::ZERO)], from)
     }
 
     /// Instants at tick `from` or later at which u crosses a level. Roundings decide whether a level within the error bound of e₁ or e₂ is reached.
@@ -60,7 +60,7 @@ impl<R: TableScalar> Table<R> {
     #[must_use]
     pub fn crossings(&self, level: Level, from: i64) -> Events<'_, R> {
         let rising = level.phase(self);
-        self.at_phases([rising, rising.map(|phase| -phase)], from)
+        self.events_at([rising, rising.map(|phase| -phase)], from)
     }
 
     /// Instants at tick `from` or later at which [`Sample::tip_angle`](crate::Sample::tip_angle) is `angle`, whole turns aside.
@@ -72,7 +72,7 @@ impl<R: TableScalar> Table<R> {
     }
 
     /// Events at these nutation phases; only those at the first one are upward.
-    fn at_phases(&self, phases: [Option<Phase>; 2], from: i64) -> Events<'_, R> {
+    fn events_at(&self, phases: [Option<Phase>; 2], from: i64) -> Events<'_, R> {
         let [first, second] = phases;
         Events(Kind::Phases(RecurringInstants::new(self, [first, second, None, None], from)))
     }

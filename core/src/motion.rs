@@ -21,7 +21,7 @@ pub(crate) use launch_rounding::LaunchRounding;
 
 use crate::body::{Support, Top};
 use crate::complex::Complex;
-use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass, is_steady};
+use crate::constants::{BranchPoints, FirstIntegrals, Regime, Signs, TipClass};
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::{Period, PeriodAdvance};
 use crate::motion::phase_equations::{PhaseEquations, PhaseRates};
@@ -122,7 +122,7 @@ impl Motion {
     }
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
-    pub(crate) fn tip_angle_at_start(&self) -> Phase {
+    pub(crate) fn tip_angle_at_launch(&self) -> Phase {
         self.ellipses.tip_angle(self.cis_chi(), self.slow_phases)
     }
 
@@ -169,7 +169,7 @@ impl Motion {
 
     /// Whether u is constant to the last bit.
     pub(crate) fn is_steady(&self) -> bool {
-        is_steady(&self.branch_points, self.regime)
+        self.half_phase.is_none()
     }
 
     /// Phase equations of the motion.

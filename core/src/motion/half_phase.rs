@@ -1,14 +1,14 @@
 //! Half phase χ at t = 0.
 
 use crate::body::Top;
-use crate::constants::{BranchPoints, ReducedPoint, Regime, is_steady};
+use crate::constants::{BranchPoints, ReducedPoint, Regime};
 use crate::phase::Phase;
 use crate::scalar::{Extended, Float, Ring};
 
-/// Half phase at a point of the reduced curve; `None` for a steady motion.
+/// Half phase at a point of the reduced curve, for a motion that is not steady.
 ///
-/// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion sin χ has that sign
-/// instead. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u).
+/// √(e₂ - e₁) sin χ = √(u - e₁), and √(e₂ - e₁) cos χ = ±√(e₂ - u) with the sign of u'. In an aperiodic motion cos χ >= 0, and
+/// sin χ has the sign of u'. The smaller difference comes from (u - e₁)(e₂ - u) = g₀/(e₃ - u).
 #[inline(never)]
 pub(super) fn half_phase_at(
     top: &Top,
@@ -16,10 +16,7 @@ pub(super) fn half_phase_at(
     regime: Regime,
     torque_free_rate: Extended,
     point: &ReducedPoint,
-) -> Option<Phase> {
-    if is_steady(e, regime) {
-        return None;
-    }
+) -> Phase {
     let ReducedPoint { one_minus_u, one_plus_u, udot, .. } = *point;
     let (g0, below_e3) = if top.is_torque_free() {
         ((udot / torque_free_rate.doubled()).squared(), Extended::ONE)
@@ -35,11 +32,11 @@ pub(super) fn half_phase_at(
         (g0 / (below_e3 * below_e2), below_e2)
     };
     let rising = angle_to([below_e2, above_e1].map(|square| square.sqrt().to_f64()));
-    Some(match regime {
+    match regime {
         _ if udot >= Extended::ZERO => rising,
         Regime::Aperiodic => -rising,
         _ => Phase::HALF - rising,
-    })
+    }
 }
 
 /// Angle of a point with x >= 0 and y >= 0, relatively exact near 0 and near a quarter turn.

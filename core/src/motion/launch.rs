@@ -69,7 +69,8 @@ impl Motion {
         let rounding = LaunchRounding::new(top, &integrals, &point, e, state);
         pause();
         let torque_free_rate = chi_rate_without_torque(top, &integrals, &point);
-        let half_phase = half_phase_at(top, e, regime, torque_free_rate, &point);
+        let half_phase =
+            (!is_steady(e, regime)).then(|| half_phase_at(top, e, regime, torque_free_rate, &point));
         let ellipses = ellipses_of(e, signs, half_phase, regime);
         pause();
         let at_start = orientation_and_rate(state);

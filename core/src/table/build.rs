@@ -7,7 +7,7 @@
 //!   half_period.rs       mean rates                 -> cells and segments
 //!     tabulation.rs        half a period              -> spans, cells and segments
 //!     path.rs              a span                     -> power series of the phases, polynomials of a and b
-//!     stored_segment.rs    polynomials on a segment   -> stored coefficients, bounds on errors and speeds
+//!     segment.rs           polynomials on a segment   -> stored coefficients, bounds on errors and speeds
 //!   launch_clock.rs      mean rates, launch phases  -> clock
 //!   error_bound.rs       half a period, mean rates  -> error bounds
 //! ```
@@ -27,11 +27,11 @@ mod mean_rates;
 
 mod path;
 
-mod segment_bounds;
-
-mod stored_segment;
+mod segment;
 
 mod tabulation;
+
+mod set_up_error;
 
 mod half_period;
 
@@ -41,7 +41,8 @@ mod error_bound;
 
 mod set_up;
 
-pub use set_up::{SetUpError, TableSettings, Workspace};
+pub use set_up::{TableSettings, Workspace};
+pub use set_up_error::SetUpError;
 
 #[cfg(test)]
 mod tests {

@@ -87,7 +87,7 @@ pub trait TableScalar: Sealed + Copy + Debug + PartialEq + Neg<Output = Self> + 
     type Quantity: Real;
     /// Number type of the rates in a set-up, of 64 bits, or of 128 for `f64`.
     #[doc(hidden)]
-    type RateNumber: Float;
+    type SetUpFloat: Float;
 
     /// Half a unit in the last place of 1.
     const ROUNDING: f64;

@@ -59,8 +59,8 @@ fn a_bit_flipped_anywhere_is_refused() {
     let baked = SizedTable::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
     let changes: [Change; 17] = [
         |baked| baked.clock.epoch += 1,
-        |baked| baked.clock.tip_start[3] ^= 1,
-        |baked| baked.clock.tip_sign_changes ^= 1,
+        |baked| baked.clock.mean_tip_at_tick_0[3] ^= 1,
+        |baked| baked.clock.tip_passages ^= 1,
         |baked| baked.clock.has_turning_points = !baked.clock.has_turning_points,
         |baked| baked.crc32 ^= 1 << 31,
         |baked| baked.clock.first_phases[1] ^= 1 << 63,

@@ -1,6 +1,6 @@
 //! Error bounds of a table, with the terms of [the error bound](crate::error_bound).
 
-use super::half_period::HalfPeriod;
+use super::half_period::TabulatedHalfPeriod;
 use crate::motion::Motion;
 use crate::scalar::{Extended, Float, Ring};
 use crate::table::build::mean_rates::MeanRates;
@@ -11,7 +11,7 @@ use crate::table::time::Phases;
 /// One turn in rad.
 const TURN: f64 = 2.0 * core::f64::consts::PI;
 
-impl HalfPeriod {
+impl TabulatedHalfPeriod {
     /// Error bounds of orientation and angular velocity for ticks of this length.
     pub(crate) fn error_bounds(
         &self,
@@ -61,9 +61,8 @@ fn increment_error(increment: Extended) -> f64 {
 mod tests {
     use super::*;
     use crate::phase::Phase;
-    use crate::table::build::error_budget::ErrorBudget;
     use crate::table::build::path::PathScratch;
-    use crate::table::build::segment_bounds::SegmentBounds;
+    use crate::table::build::segment::SegmentBounds;
     use crate::table::build::tabulation::Division;
     use crate::table::build::tests::nutating_motion;
     use crate::table::evaluation::TableScalar;
@@ -74,7 +73,7 @@ mod tests {
     fn the_bound_contains_the_errors_of_the_rates() {
         let motion = nutating_motion();
         let per_tick = |errors, rate| {
-            let half_period = HalfPeriod {
+            let half_period = TabulatedHalfPeriod {
                 mean_rates: MeanRates {
                     rates: Phases::from_array([rate; 3]),
                     errors: Phases::from_array(errors),
@@ -83,7 +82,7 @@ mod tests {
                     bounds: SegmentBounds { angular_speed: 5.0, ..SegmentBounds::ZERO },
                     ..Division::ZERO
                 },
-                ..HalfPeriod::ZERO
+                ..TabulatedHalfPeriod::ZERO
             };
             let [bound, _] = half_period.error_bounds(f64::TERMS, &f64::ERRORS, &motion, 0.5.into());
             bound.per_tick
@@ -110,11 +109,11 @@ mod tests {
         let top = Top::sliding(&TopParameters::TOY).unwrap();
         let state = State::from_release(&Release { tilt: 0.35, spin: 150.0, ..Release::default() }).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
-        let (mut half_period, mut scratch) = (HalfPeriod::ZERO, PathScratch::ZERO);
-        let (budget, mut segments) = (ErrorBudget::new::<f32>(f32::TRUNCATION), [f32::ZERO_SEGMENT; 25]);
+        let (mut half_period, mut scratch) = (TabulatedHalfPeriod::ZERO, PathScratch::ZERO);
+        let mut segments = [f32::ZERO_SEGMENT; 25];
         let result =
-            half_period.compute::<f32>(&motion, &budget, &mut scratch, &mut segments, 25, &mut || {});
-        assert!(result.is_some());
+            half_period.compute::<f32>(&motion, f32::TRUNCATION, &mut scratch, &mut segments, 25, &mut || {});
+        assert!(result.is_ok());
         let bounds = half_period.error_bounds(f32::TERMS, &f32::ERRORS, &motion, 0.001.into());
         let segment = f64::from(half_period.division.bounds.error);
         let [orientation, rates] = bounds.map(|bound| [bound.constant, bound.per_tick]);

@@ -4,8 +4,11 @@ use super::error_budget::ErrorBudget;
 use super::mean_rates::MeanRates;
 use super::path::polynomial::Polynomial;
 use super::path::{Path, PathScratch};
-use super::stored_segment::store_polynomial;
+use super::segment::store_polynomial;
+use super::set_up_error::SetUpError;
 use super::tabulation::{Division, Tabulation};
+use crate::body::check;
+use crate::constants::Regime;
 use crate::motion::Motion;
 use crate::motion::ellipses::Ellipses;
 use crate::motion::period::Period;
@@ -16,7 +19,7 @@ use crate::table::time::Phases;
 
 /// Quantities of half a period besides its segments.
 #[derive(Debug)]
-pub(super) struct HalfPeriod {
+pub(super) struct TabulatedHalfPeriod {
     pub(super) mean_rates: MeanRates,
     /// Nutation phase and mean phases of the launch.
     pub(super) launch_phases: Phases<Phase>,
@@ -25,7 +28,7 @@ pub(super) struct HalfPeriod {
     pub(super) error: f64,
 }
 
-impl HalfPeriod {
+impl TabulatedHalfPeriod {
     /// Half a period before a set-up. All its bits are 0.
     pub(super) const ZERO: Self = Self {
         mean_rates: MeanRates::ZERO,
@@ -34,56 +37,56 @@ impl HalfPeriod {
         error: 0.0,
     };
 
-    /// Computes the segments and stores them; `None` as soon as they cannot fit.
+    /// Computes the segments and stores them.
     ///
+    /// * `truncation`: allowed truncation error, rad
     /// * `segments`: memory of the segments; a segment beyond it overwrites the last place. To count the segments, one place is enough
     /// * `capacity`: greatest number of segments
+    ///
+    /// # Errors
+    /// [`SetUpError`]
     pub(super) fn compute<R: TableScalar>(
         &mut self,
         motion: &Motion,
-        budget: &ErrorBudget,
+        truncation: f64,
         scratch: &mut PathScratch,
         segments: &mut [R::Segment],
         capacity: usize,
         pause: &mut dyn FnMut(),
-    ) -> Option<()> {
+    ) -> Result<(), SetUpError> {
+        let is_allowed = truncation > 0.0 && truncation < f64::INFINITY;
+        check(is_allowed, "truncation", "positive and finite").map_err(SetUpError::Parameter)?;
+        if motion.regime() == Regime::Aperiodic {
+            return Err(SetUpError::Aperiodic);
+        }
         *self = Self::ZERO;
         scratch.set_equations(motion);
         pause();
         // a steady motion has the period of an infinitesimal nutation, which does not count
         let equations = &scratch.equations;
-        let period = if motion.is_steady() { None } else { motion.period::<R::RateNumber>(equations, pause) };
+        let period = if motion.is_steady() { None } else { motion.period::<R::SetUpFloat>(equations, pause) };
         self.mean_rates = MeanRates::new(motion, period.as_ref());
         pause();
         match period {
             Some(Period { time, .. }) => {
+                let budget = ErrorBudget::new::<R>(truncation);
                 let mut path =
-                    Path::new(scratch, budget, motion, time.halved(), self.mean_rates.rates, pause);
-                self.tabulate_path::<R>(&mut path, segments, capacity)
+                    Path::new(scratch, &budget, motion, time.halved(), self.mean_rates.rates, pause);
+                Tabulation::<R>::new(&mut self.division, &mut path, segments, capacity)
+                    .tabulate()
+                    .ok_or(SetUpError::TableTooSmall { truncation, segments: capacity as u32 })?;
+                self.launch_phases = path.launch.phases;
+                let [delay, residual] = path.errors();
+                let bounds = &self.division.bounds;
+                self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
             }
             None => {
                 let [alpha, beta] = motion.slow_phases;
                 self.launch_phases = Phases { alpha, beta, ..self.launch_phases };
                 self.store_constants::<R>(motion, segments);
-                Some(())
             }
         }
-    }
-
-    /// Tabulates the motion from u = e₁ to u = e₂.
-    #[inline(never)]
-    fn tabulate_path<R: TableScalar>(
-        &mut self,
-        path: &mut Path<'_, R::RateNumber>,
-        segments: &mut [R::Segment],
-        capacity: usize,
-    ) -> Option<()> {
-        Tabulation::<R>::new(&mut self.division, path, segments, capacity).tabulate()?;
-        self.launch_phases = path.launch.phases;
-        let [delay, residual] = path.errors();
-        let bounds = &self.division.bounds;
-        self.error = f64::from(bounds.error) + bounds.error_of_delay(delay) + 2.0 * residual;
-        Some(())
+        Ok(())
     }
 
     /// Stores one segment with constant a and b, for a steady motion.

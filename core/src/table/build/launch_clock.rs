@@ -11,7 +11,7 @@ use crate::table::evaluation::TableScalar;
 use crate::table::time::{Instant, Phases, Tick, is_falling};
 
 impl<W: Float> Clock<W> {
-    /// Clock of a motion; `set_tip_angle_at_launch` adds [`Clock::tip_start`].
+    /// Clock of a motion; `set_tip_angle_at_launch` adds [`Clock::mean_tip_at_tick_0`].
     ///
     /// * `epoch`: tick of the launch
     /// * `rates`: mean rates, turns/s
@@ -38,15 +38,15 @@ impl<W: Float> Clock<W> {
             WrappedPhase::from_phase(phase).minus(WrappedPhase::from_phase(increment).times(ticks))
         });
         let [alpha_winding, beta_winding] = motion.windings();
-        let tip_sign_changes = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
+        let tip_passages = u8::from(alpha_winding == 0) + u8::from(beta_winding == 0);
         Ok(Self {
             increments: increments.map(Phase::words).into_array(),
-            tip_start_quarter_turns: if alpha_winding == 0 {
+            ab_quarter_turns_at_e1: if alpha_winding == 0 {
                 motion.signs().l_plus_n.as_i32() as i8
             } else {
                 0
             },
-            tip_sign_changes,
+            tip_passages,
             tip_exists: !motion.regime().is_vertical(),
             has_turning_points: motion.regime() == Regime::Nutating,
             twice_tip_scale: W::from_f64(2.0 * motion.top().tip_scale()),
@@ -75,16 +75,16 @@ impl<R: TableScalar> Table<R> {
         let Phases { nutation, alpha, beta } = launch;
         let nutation = nutation.leading_bits();
         let clock = &self.clock;
-        let quarter_turn = Phase::QUARTER * i64::from(clock.tip_start_quarter_turns);
+        let quarter_turn = Phase::QUARTER * i64::from(clock.ab_quarter_turns_at_e1);
         // whole turns, or half turns of a curve through the centre, such that φ begins in (-1/2, 1/2] turn
         let mean = alpha + beta + if is_falling(nutation) { -quarter_turn } else { quarter_turn };
-        let offset = motion.tip_angle_at_start() - mean - self.tabulated_tip_angle(nutation, pause);
-        let principal = if clock.tip_sign_changes > 0 {
+        let offset = motion.tip_angle_at_launch() - mean - self.tabulated_tip_angle(nutation, pause);
+        let principal = if clock.tip_passages > 0 {
             Phase::from_bits((offset * 2).principal().to_bits() >> 1)
         } else {
             offset.principal()
         };
         let mean_from_0 = clock.mean_tip(Instant::at_tick(clock.epoch), nutation);
-        self.clock.tip_start = (mean + offset - principal - mean_from_0).words();
+        self.clock.mean_tip_at_tick_0 = (mean + offset - principal - mean_from_0).words();
     }
 }

@@ -1,53 +1,15 @@
 //! Set-up: from a motion to its table.
 
-use core::fmt;
-
-use super::error_budget::ErrorBudget;
-use super::half_period::HalfPeriod;
+use super::half_period::TabulatedHalfPeriod;
 use super::path::PathScratch;
+use super::set_up_error::SetUpError;
 use super::tabulation::Division;
-use crate::body::{ParameterError, check};
-use crate::constants::Regime;
+use crate::body::ParameterError;
 use crate::motion::Motion;
 use crate::table::data::cell::{MAX_SEGMENTS, MIN_SEGMENTS};
 use crate::table::data::{Clock, SizedTable, Table, TableMemory};
 use crate::table::evaluation::TableScalar;
 use crate::table::time::Tick;
-
-/// Reason why a motion has no table.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum SetUpError {
-    /// The table has too few segments for the truncation error.
-    TableTooSmall {
-        /// Allowed truncation error, rad.
-        truncation: f64,
-        /// Number of segments; [`Table::segments_needed`](crate::Table::segments_needed) finds a sufficient one.
-        segments: u32,
-    },
-    /// The motion is aperiodic; a stepper or its closed form follows it.
-    Aperiodic,
-    /// The truncation error is not positive and finite, or a tick so long that a phase advances by 2^31 turns.
-    Parameter(ParameterError),
-}
-
-impl fmt::Display for SetUpError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TableTooSmall { truncation, segments } => {
-                write!(
-                    f,
-                    "a table of {segments} segments cannot follow the motion to within {truncation:.1e} rad"
-                )
-            }
-            Self::Aperiodic => f.write_str("an aperiodic motion has no table"),
-            Self::Parameter(error) => error.fmt(f),
-        }
-    }
-}
-
-impl core::error::Error for SetUpError {}
 
 /// Settings of a table.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,7 +42,7 @@ impl From<Tick> for TableSettings {
 /// A program with a small stack keeps it in a static: see "In firmware" on [the first page](crate).
 #[derive(Debug)]
 pub struct Workspace {
-    half_period: HalfPeriod,
+    half_period: TabulatedHalfPeriod,
     scratch: PathScratch,
 }
 
@@ -94,28 +56,8 @@ impl Workspace {
     /// Workspace before a set-up. A static of it takes no flash.
     #[must_use]
     pub const fn new() -> Self {
-        Self { half_period: HalfPeriod::ZERO, scratch: PathScratch::ZERO }
+        Self { half_period: TabulatedHalfPeriod::ZERO, scratch: PathScratch::ZERO }
     }
-}
-
-/// Computes the segments of half a period and stores them: see [`HalfPeriod::compute`].
-fn tabulate<R: TableScalar>(
-    motion: &Motion,
-    truncation: f64,
-    workspace: &mut Workspace,
-    segments: &mut [R::Segment],
-    capacity: usize,
-    pause: &mut dyn FnMut(),
-) -> Result<(), SetUpError> {
-    let positive = truncation > 0.0 && truncation < f64::INFINITY;
-    check(positive, "truncation", "positive and finite").map_err(SetUpError::Parameter)?;
-    if motion.regime() == Regime::Aperiodic {
-        return Err(SetUpError::Aperiodic);
-    }
-    let Workspace { half_period, scratch } = workspace;
-    half_period
-        .compute::<R>(motion, &ErrorBudget::new::<R>(truncation), scratch, segments, capacity, pause)
-        .ok_or(SetUpError::TableTooSmall { truncation, segments: capacity as u32 })
 }
 
 impl<R: TableScalar> TableMemory<Table<R>> {
@@ -151,22 +93,27 @@ impl<R: TableScalar> Table<R> {
     ) -> Result<(), SetUpError> {
         let truncation = settings.truncation.unwrap_or(R::TRUNCATION);
         let capacity = self.segments.len();
-        tabulate::<R>(motion, truncation, workspace, &mut self.segments, capacity, pause)?;
-        self.write_header(&workspace.half_period, motion, settings, pause).map_err(SetUpError::Parameter)
+        let Workspace { half_period, scratch } = workspace;
+        half_period.compute::<R>(motion, truncation, scratch, &mut self.segments, capacity, pause)?;
+        self.write_header(half_period, motion, settings, pause).map_err(SetUpError::Parameter)
     }
 
     /// Writes the cells, the clock and the error bounds.
     #[inline(never)]
     fn write_header(
         &mut self,
-        half_period: &HalfPeriod,
+        half_period: &TabulatedHalfPeriod,
         motion: &Motion,
         settings: &TableSettings,
         pause: &mut dyn FnMut(),
     ) -> Result<(), ParameterError> {
         pause();
-        let HalfPeriod { division: Division { cells, segment_count, .. }, mean_rates, launch_phases, .. } =
-            half_period;
+        let TabulatedHalfPeriod {
+            division: Division { cells, segment_count, .. },
+            mean_rates,
+            launch_phases,
+            ..
+        } = half_period;
         self.cells = *cells;
         self.segments.get_mut(*segment_count..).unwrap_or_default().fill(R::ZERO_SEGMENT);
         self.clock = Clock::new(motion, settings.tick, settings.epoch, mean_rates.rates, *launch_phases)?;
@@ -198,8 +145,9 @@ impl<R: TableScalar, S: ?Sized> Table<R, S> {
     /// # Errors
     /// [`SetUpError`]; the table is too small if 4096 segments are too few.
     pub fn segments_needed(motion: &Motion, truncation: f64) -> Result<u32, SetUpError> {
-        let workspace = &mut Workspace::new();
-        tabulate::<R>(motion, truncation, workspace, &mut [R::ZERO_SEGMENT], MAX_SEGMENTS, &mut || {})?;
-        Ok(workspace.half_period.division.segment_count.max(MIN_SEGMENTS) as u32)
+        let Workspace { half_period, scratch } = &mut Workspace::new();
+        let segments = &mut [R::ZERO_SEGMENT];
+        half_period.compute::<R>(motion, truncation, scratch, segments, MAX_SEGMENTS, &mut || {})?;
+        Ok(half_period.division.segment_count.max(MIN_SEGMENTS) as u32)
     }
 }

@@ -13,8 +13,7 @@
 
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::build::path::{MIN_SPAN_DEPTH, Path};
-use crate::table::build::segment_bounds::SegmentBounds;
-use crate::table::build::stored_segment::store_segment;
+use crate::table::build::segment::{SegmentBounds, store_segment};
 use crate::table::data::cell::{CELLS, Cell, MIN_DEPTH};
 use crate::table::evaluation::TableScalar;
 
@@ -39,7 +38,7 @@ impl Division {
 /// Tabulation of a path up to a position.
 pub(super) struct Tabulation<'a, 'p, R: TableScalar> {
     division: &'a mut Division,
-    path: &'a mut Path<'p, R::RateNumber>,
+    path: &'a mut Path<'p, R::SetUpFloat>,
     segments: &'a mut [R::Segment],
     capacity: usize,
     /// End of the last cell.
@@ -51,10 +50,10 @@ pub(super) struct Tabulation<'a, 'p, R: TableScalar> {
 }
 
 impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
-    /// Tabulation that begins at u = e₁, with the parameters of `HalfPeriod::compute`.
+    /// Tabulation that begins at u = e₁, with the parameters of `TabulatedHalfPeriod::compute`.
     pub(super) fn new(
         division: &'a mut Division,
-        path: &'a mut Path<'p, R::RateNumber>,
+        path: &'a mut Path<'p, R::SetUpFloat>,
         segments: &'a mut [R::Segment],
         capacity: usize,
     ) -> Self {
@@ -63,6 +62,7 @@ impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
     }
 
     /// Tabulates the path to u = e₂; `None` as soon as the segments cannot fit.
+    #[inline(never)]
     pub(super) fn tabulate(&mut self) -> Option<()> {
         while self.position < SHORTEST_SEGMENTS {
             let start = self.path.end();

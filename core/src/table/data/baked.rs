@@ -88,8 +88,8 @@ impl<R: TableScalar> Table<R> {
     const fn crc32_of_head(&self) -> Crc32 {
         let clock = &self.clock;
         let flags = [
-            clock.tip_start_quarter_turns as u8,
-            clock.tip_sign_changes,
+            clock.ab_quarter_turns_at_e1 as u8,
+            clock.tip_passages,
             clock.tip_exists as u8,
             clock.has_turning_points as u8,
         ];
@@ -99,7 +99,7 @@ impl<R: TableScalar> Table<R> {
             .u64(&clock.first_phases)
             .i64(&[clock.epoch])
             .f64(&clock.ticks_per_time)
-            .u32(&clock.tip_start)
+            .u32(&clock.mean_tip_at_tick_0)
             .u8(&flags)
             .f64(&self.error_bound.numbers())
             .f64(&self.rate_error_bound.numbers())

@@ -11,7 +11,7 @@ use crate::table::time::{Instant, Phases};
 /// | orientation at a tick | `first_phases`, `increments` |
 /// | orientation at a time | also `ticks_per_time` |
 /// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `mean_sum_rate`, `axial_rate` |
-/// | tip angle | `tip_start`, `tip_start_quarter_turns`, `tip_sign_changes`, `tip_exists` |
+/// | tip angle | `mean_tip_at_tick_0`, `ab_quarter_turns_at_e1`, `tip_passages`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
 ///
 /// `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored to save an angular velocity
@@ -22,9 +22,9 @@ pub struct Clock<W> {
     /// Increments per tick of the nutation phase and of the mean phases Λ_α and Λ_β, with whole turns, in units of 2^-96 turns, lowest word first.
     pub increments: [[u32; 4]; 3],
     /// Argument of the tabulated ab at u = e₁ in quarter turns: 0, or ±1 for e₁ = -1.
-    pub tip_start_quarter_turns: i8,
-    /// Number of the parameters α and β that pass through 0.
-    pub tip_sign_changes: u8,
+    pub ab_quarter_turns_at_e1: i8,
+    /// Number of passages of the tip through the centre in a period: one for each of α and β that passes through 0.
+    pub tip_passages: u8,
     /// Whether the tip angle exists: the axis does not stay vertical.
     pub tip_exists: bool,
     /// Whether u has turning points: false where the tilt is constant to 2^-49 rad.
@@ -42,7 +42,7 @@ pub struct Clock<W> {
     /// Number of ticks in a unit of time, as the sum of two `f64`.
     pub ticks_per_time: [f64; 2],
     /// Mean tip angle at tick 0, with whole turns, in units of 2^-96 turns, lowest word first.
-    pub tip_start: [u32; 4],
+    pub mean_tip_at_tick_0: [u32; 4],
     /// Tick of the launch, from which the error bounds grow.
     pub epoch: i64,
 }
@@ -50,8 +50,8 @@ pub struct Clock<W> {
 impl<W: Float> Clock<W> {
     pub(crate) const ZERO: Self = Self {
         increments: [[0; 4]; 3],
-        tip_start_quarter_turns: 0,
-        tip_sign_changes: 0,
+        ab_quarter_turns_at_e1: 0,
+        tip_passages: 0,
         tip_exists: false,
         has_turning_points: false,
         twice_tip_scale: W::ZERO,
@@ -60,7 +60,7 @@ impl<W: Float> Clock<W> {
         axial_rate: W::ZERO,
         first_phases: [0; 3],
         ticks_per_time: [0.0; 2],
-        tip_start: [0; 4],
+        mean_tip_at_tick_0: [0; 4],
         epoch: 0,
     };
 }
@@ -112,7 +112,7 @@ impl<W: Copy> Clock<W> {
 
     /// Advance of the mean tip angle from those of the phases. Each zero of α or β replaces half a turn a period by a passage.
     fn mean_tip_advance(&self, Phases { nutation, alpha, beta }: Phases<Phase>) -> Phase {
-        alpha + beta - Phase::from_bits(nutation.to_bits() >> 1) * self.tip_sign_changes.into()
+        alpha + beta - Phase::from_bits(nutation.to_bits() >> 1) * self.tip_passages.into()
     }
 
     /// Mean tip angle at an instant.
@@ -121,7 +121,10 @@ impl<W: Copy> Clock<W> {
     pub(in crate::table) fn mean_tip(&self, Instant { tick, fraction }: Instant, nutation: u64) -> Phase {
         let in_whole_ticks = Phase::from_bits(self.tip_increment().to_bits().wrapping_mul(tick));
         let in_tick = self.increments().map(|increment| increment.times_fraction(fraction));
-        let passages = Phase::from_bits(i128::from(nutation as i64) << 31) * self.tip_sign_changes.into();
-        Phase::from_words(self.tip_start) + in_whole_ticks + self.mean_tip_advance(in_tick) + passages
+        let passages = Phase::from_bits(i128::from(nutation as i64) << 31) * self.tip_passages.into();
+        Phase::from_words(self.mean_tip_at_tick_0)
+            + in_whole_ticks
+            + self.mean_tip_advance(in_tick)
+            + passages
     }
 }

@@ -8,7 +8,7 @@ impl TableScalar for f64 {
     type Coefficient = Self;
     type Segment = [[Self; 4]; 11];
     type Quantity = Self;
-    type RateNumber = Extended;
+    type SetUpFloat = Extended;
 
     const ROUNDING: f64 = Self::EPSILON / 2.0;
     const CODE: u32 = 64;

@@ -14,7 +14,7 @@ impl TableScalar for I2F14 {
     type Coefficient = i16;
     type Segment = [[i16; 4]; 3];
     type Quantity = f32;
-    type RateNumber = Wide<1>;
+    type SetUpFloat = Wide<1>;
 
     const ROUNDING: f64 = 0.5 / (1_u64 << 14) as f64;
     const CODE: u32 = 15;

@@ -27,7 +27,7 @@ impl TableScalar for f32 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 5];
     type Quantity = Self;
-    type RateNumber = Wide<1>;
+    type SetUpFloat = Wide<1>;
 
     const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
     const CODE: u32 = 32;
@@ -58,7 +58,7 @@ impl TableScalar for I2F30 {
     type Coefficient = i32;
     type Segment = [[i32; 4]; 4];
     type Quantity = f32;
-    type RateNumber = Wide<1>;
+    type SetUpFloat = Wide<1>;
 
     const ROUNDING: f64 = 0.5 * UNIT_Q30;
     const CODE: u32 = 31;

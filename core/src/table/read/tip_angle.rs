@@ -69,7 +69,7 @@ impl<R: TableScalar> Table<R> {
 
     /// Product ab, turned so that at u = e₁ it leaves along the positive real axis.
     fn relative_to_start(&self, product: Complex<f64>) -> Complex<f64> {
-        match self.clock.tip_start_quarter_turns {
+        match self.clock.ab_quarter_turns_at_e1 {
             0 => product,
             1.. => -product.times_i(),
             _ => product.times_i(),

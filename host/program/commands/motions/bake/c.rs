@@ -113,11 +113,11 @@ fn initialisers<R: TableScalar>(table: &Table<R>, crc32: u32) -> String {
         format!("{{{}}}", clock.increments.map(phase).join(", ")),
         words(&clock.increments.map(|[.., turns]| turns.into())),
         [&clock.ticks_per_time, bounds.as_flattened()].map(doubles).join(", "),
-        words(&clock.tip_start.map(u64::from)),
+        words(&clock.mean_tip_at_tick_0.map(u64::from)),
         format!(
             "{{{}, {}, {}}}, {}",
-            clock.tip_start_quarter_turns as u8,
-            clock.tip_sign_changes,
+            clock.ab_quarter_turns_at_e1 as u8,
+            clock.tip_passages,
             u8::from(clock.tip_exists),
             u8::from(clock.has_turning_points)
         ),

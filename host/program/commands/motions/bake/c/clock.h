@@ -21,7 +21,7 @@ typedef struct {
     uint32_t whole_turns[3];    /* whole turns of the increments, to which they are added, modulo 2^32 */
     uint64_t ticks_per_time[2]; /* bits of doubles */
     uint64_t error_bounds[4];   /* bits of doubles: of orientation and rates, each at tick 0 and its growth in a tick */
-    uint32_t tip_start[4];      /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
+    uint32_t mean_tip_at_tick_0[4];      /* mean tip angle at tick 0, in units of 2^-96 turns, the least significant word first */
     uint8_t flags[3];           /* quarter turns of alpha beta at u = e1, parameters that pass 0, whether the tip angle exists */
     uint8_t has_turning_points;
     uint16_t cells[16];         /* for each cell of half a period: its segments */
@@ -92,7 +92,7 @@ static inline uint32_t toytop_head(const toytop_clock *clock, uint32_t scalar) {
     sum = toytop_crc(sum, clock->first_phases, 3, 8);
     sum = toytop_crc(sum, &clock->epoch, 1, 8);
     sum = toytop_crc(sum, clock->ticks_per_time, 2, 8);
-    sum = toytop_crc(sum, clock->tip_start, 4, 4);
+    sum = toytop_crc(sum, clock->mean_tip_at_tick_0, 4, 4);
     sum = toytop_crc(sum, clock->flags, 3, 1);
     sum = toytop_crc(sum, &clock->has_turning_points, 1, 1);
     sum = toytop_crc(sum, clock->error_bounds, 4, 8);
