@@ -54,7 +54,8 @@ impl<R: TableScalar> Table<R> {
         self.events_at([Some(Phase::HALF), Some(Phase::ZERO)], from)
     }
 
-    /// Instants at tick `from` or later at which u crosses a level. Roundings decide whether a level within the error bound of e₁ or e₂ is reached.
+    /// Instants at tick `from` or later at which u crosses a level. A level closer to e₁ or e₂ than the error bound may be missed, or
+    /// found though u does not reach it.
     ///
     /// Error of the time: the orientation's error bound over the tilt's rate |u'|/√(1 - u²), and 2^-54 ticks. Cost: 65 orientations, once.
     #[must_use]

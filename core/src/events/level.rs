@@ -84,7 +84,7 @@ impl Level {
     /// Nutation phase in (0, 1/2) turn at which u rises to the level; `None` where the motion does not reach it.
     pub(super) fn phase<R: TableScalar>(&self, table: &Table<R>) -> Option<Phase> {
         let reached = |nutation| self.is_reached(&at_phase(table, nutation).orientation());
-        (reached(LAST_RISING) && !reached(0)).then(|| bisect(reached))
+        (reached(LAST_RISING) && !reached(0)).then(|| Phase::from_leading_bits(bisect(reached)))
     }
 
     /// Whether u is at the level or above it, by tan²(tilt/2) = |β|²/|α|².

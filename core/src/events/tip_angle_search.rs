@@ -53,7 +53,7 @@ impl<R: TableScalar> Table<R> {
             [0, LAST_RISING / 2, LAST_RISING].map(turning);
         let noise = NOISE * (R::ROUNDING + R::Quantity::OPERATION_ERROR) * least.max(middle).max(greatest);
         let changes = lowest * highest < 0.0 && lowest.abs() > noise && highest.abs() > noise;
-        changes.then(|| bisect(|nutation| turning(nutation).0 * lowest <= 0.0))
+        changes.then(|| Phase::from_leading_bits(bisect(|nutation| turning(nutation).0 * lowest <= 0.0)))
     }
 }
 
@@ -109,15 +109,11 @@ impl<'a, R: TableScalar> TipAngleSearch<'a, R> {
         if change == Phase::ZERO || !is_past(change) {
             return None;
         }
-        let start = self.angle;
-        let mut low = self.at;
-        let mut high = end;
-        for _ in 0..u64::BITS {
-            let middle = (low + high).halved();
-            if is_past(self.table.tip_angle_at(middle) - start) { high = middle } else { low = middle }
-        }
-        (self.at, self.angle) = (high, start + ahead);
-        Event::from_ticks(high, upward)
+        let Self { at, angle, .. } = *self;
+        let instant = |part: u64| at + ((end - at) * Extended::from(part as i64)).ldexp(1 - u64::BITS as i32);
+        let first_past = bisect(|part| is_past(self.table.tip_angle_at(instant(part)) - angle));
+        (self.at, self.angle) = (instant(first_past), angle + ahead);
+        Event::from_ticks(self.at, upward)
     }
 
     /// Skips periods that do not reach the target, from the least and greatest change of the angle in the last one.

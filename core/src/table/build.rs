@@ -12,8 +12,8 @@
 //!   error_bound.rs       half a period, mean rates  -> error bounds
 //! ```
 //!
-//! The tabulated a and b are α and β without their mean rotation. Three phases would be tabulated more simply, but a tick would then take a
-//! third sine and two more products. A span whose series are not accurate with sixteen terms is halved (`error_budget`). A power
+//! The tabulated a and b are α and β without their mean rotation. To tabulate χ and the two slow phases would be simpler, but a tick would then
+//! take a third sine and two more products. A span whose series are not accurate with sixteen terms is halved (`error_budget`). A power
 //! series carries its own exponent (`series`). The polynomials of a and b need none, because they are only halved and added: all are
 //! in units of 2^-62 (`polynomial`).
 //!

@@ -134,7 +134,7 @@ type AccumulatorOf<R> = <<R as TableScalar>::Coefficient as Coefficient>::Accumu
 
 /// Coefficient of a table, and the operations that depend on its word: rounding in a set-up, evaluation in a tick.
 pub trait Coefficient: Copy + Debug + PartialEq {
-    /// Number type of the sums of Horner's rule and of the local coordinate: `i32` for `i16`, otherwise the type of the coefficient itself.
+    /// Number type of the sums of Horner's rule and of the local coordinate: `i32`, and `f64` in `f64`.
     type Accumulator: Coefficient<Accumulator = Self::Accumulator> + Default + Into<f64>;
     /// Number type of the parts of α and β in a tick.
     type Component: Ring;

@@ -8,8 +8,9 @@
 //! ```
 //!
 //! A span has whole cells, or a cell has several spans of one length. All segments of a cell have one length, and none crosses the end of a span.
-//! A length that is not accurate is halved. After a success it is doubled again: that of segments at the next cell, that of spans where two doubled
-//! ones would fit.
+//! If a span or the segments of a cell are not accurate, half their length is tried. After a success twice the length is tried: for segments at the
+//! next cell, for spans where a span of twice the length may begin. A cell in a span is tried again without a new expansion; a cell of several
+//! spans begins again with its first one. Hence two procedures.
 
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::build::path::{MIN_SPAN_DEPTH, Path};

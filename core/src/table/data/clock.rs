@@ -14,8 +14,8 @@ use crate::table::time::{Instant, Phases};
 /// | tip angle | `mean_tip_at_tick_0`, `ab_quarter_turns_at_e1`, `tip_passages`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
 ///
-/// `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored to save an angular velocity
-/// these conversions.
+/// `x_rate` and `mean_sum_rate` follow from the increments and `ticks_per_time`. They are stored because a conversion at each tick would
+/// take too many cycles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)] // the increments first, in reach of the smallest chip's load instructions
 pub struct Clock<W> {

@@ -7,8 +7,11 @@ use crate::table::read::sample::Sample;
 use crate::table::time::{Instant, Phases};
 use core::marker::PhantomData;
 
-/// Phases of consecutive ticks of one table, by three additions each. Pass that table to [`Cursor::next`]: a table of another scalar does
-/// not compile, and another table of the same scalar panics in builds with debug assertions.
+/// Phases of consecutive ticks of one table, by three additions each.
+///
+/// A cursor does not borrow its table, so that an interrupt can own both and exchange them at a relaunch, without lock and copy: see
+/// `examples/relaunch.rs`. Pass its table to [`Cursor::next`]: a table of another scalar does not compile, and another table of the same scalar
+/// panics in builds with debug assertions.
 ///
 /// ```compile_fail,E0308
 /// # use toytop::Table;
@@ -16,8 +19,6 @@ use core::marker::PhantomData;
 ///     single.cursor(0).next(double);
 /// }
 /// ```
-///
-/// After a relaunch, a cursor of the new table takes the place of the old one, without lock and copy: see `examples/relaunch.rs`.
 #[derive(Clone, Debug)]
 #[repr(C)] // the same for every scalar: the C interface reads the tick without knowing it
 pub struct Cursor<R> {

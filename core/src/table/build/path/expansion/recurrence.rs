@@ -1,13 +1,19 @@
-//! Coefficients of an expansion, one after another.
+//! Coefficients of an expansion, one after another, by the equations of [`Expansion`]. With S = sin χ and C = cos χ, for k = 1, 2, ...:
 //!
-//! For k = 0, 1, 2, ...:
+//! ```text
+//! v_k   = Σ C_i C_(k-i)                    i = 0, ..., k
+//! δ_k   = 2 c u₀ v_k - c e Σ v_i v_(k-i)   here and below i = 1, ..., k - 1
+//! η_k   = e/(e₃ - u₀) v_k
+//! known = δ_k + Σ δ_i ξ_(k-i)
+//! ξ_k   = (η_k - known - Σ μ_i ξ_(k-i))/2
+//! μ_k   = known + ξ_k
+//! κ_k   = g δ_k + h μ_k                    for ψ_α and for ψ_β
+//! σ_k   = f v_k - (dψ/dy)₀ κ_k - Σ κ_i σ_(k-i)
+//! S_(k+1) =  (dχ/dy)₀ (C_k + Σ ξ_i C_(k-i))/(k + 1)    i = 1, ..., k; also for k = 0
+//! C_(k+1) = -(dχ/dy)₀ (S_k + Σ ξ_i S_(k-i))/(k + 1)
+//! ```
 //!
-//! 1. sin χ and cos χ give coefficient k of v;
-//! 2. v gives that of η and δ, and these give that of ξ, μ, κ and σ;
-//! 3. ξ gives that of the rate of χ, and the rate gives coefficient k + 1 of sin χ and cos χ.
-//!
-//! A product of series is a sum over earlier coefficients. `prepare` chooses the unit of each series, and computes the constant factors between
-//! these units.
+//! `prepare` chooses the unit of each series, and computes the constant factors between these units.
 
 use super::{Expansion, ExpansionPoint, MAX_TERMS, NOISE, PowerSeries, RateSeries};
 use crate::integer::to_units;
