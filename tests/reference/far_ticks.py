@@ -1,6 +1,6 @@
 """Orientations at single ticks far away, aimed at the fast part of a motion, where an error of the nutation phase counts most.
 
-Prints what tests/suite/table/clock.rs holds: a tick of 1 MHz, then Re alpha, Im alpha, Re beta and Im beta.
+Prints what tests/suite/table/ticks_of_any_length_and_epoch.rs holds: a tick of 1 MHz, then Re alpha, Im alpha, Re beta and Im beta.
 """
 from mpmath import mp, mpf
 

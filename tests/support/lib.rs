@@ -1,10 +1,10 @@
 //! Shared parts of the tests of all crates: reference vectors, motions, tables, and the measure of errors.
 
-pub mod curve;
 #[cfg(feature = "host")]
 pub mod full_solver;
+pub mod fuzz_targets;
+pub mod hyperelliptic_curve;
 pub mod random;
-pub mod random_bytes;
 pub mod tolerance;
 pub mod vectors;
 

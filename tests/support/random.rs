@@ -1,4 +1,4 @@
-//! Random numbers that are the same on every machine.
+//! Random numbers of the tests, the same on every machine.
 
 /// Linear congruential generator, by its state.
 pub struct Random(pub u64);

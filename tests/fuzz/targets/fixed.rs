@@ -1,3 +1,3 @@
 #![no_main]
 
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| toytop_tests::random_bytes::run("fixed", bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| toytop_tests::fuzz_targets::run("fixed", bytes));

@@ -1,4 +1,4 @@
-//! Closed forms against references that use no code of core, and the difference of e₃ and e₄ that they allow.
+//! Closed forms are compared with references that use no code of core, and the difference of e₃ and e₄ that they allow with its stated error.
 
 use serde_json::Value;
 use toytop::{InitialAngles, Motion, Sign, Signs, Tick};

@@ -1,4 +1,4 @@
-//! Closed forms of the paper against reference vectors, table and stepper: four methods for one motion.
+//! Closed forms of the paper are compared with reference vectors, tables and the stepper: four methods for one motion.
 
 use std::f64::consts::TAU;
 use toytop::{InitialAngles, Motion, Regime, Stepper, Tick};
@@ -20,7 +20,7 @@ fn closed_forms_agree_with_the_vectors() {
             ClosedForm::Aperiodic(_) => 1,
             ClosedForm::E3EqualsE4(_) => 2,
             ClosedForm::Lagrange(_) => 3,
-            ClosedForm::FreeBody(_) => panic!("{}: other_tops::closed_forms_agree", vector.name),
+            ClosedForm::FreeBody(_) => panic!("{}: tops_beyond_the_paper has these", vector.name),
         };
         count[kind] += 1;
         let samples = vector.samples();

@@ -1,4 +1,4 @@
-//! Failures that hostile input has found, each in its smallest form (`cargo fuzz`).
+//! Inputs on which the fuzzer found failures (`cargo fuzz`), each in its smallest form, are compared with what must result.
 
 use fixed::types::{I2F14, I2F30};
 use toytop::{

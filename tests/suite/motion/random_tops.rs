@@ -1,4 +1,4 @@
-//! Properties of random tops, states and steps, with a fixed seed.
+//! Motions of random tops and states, with a fixed seed, are compared with the states and branch points that they were made of.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed};
@@ -50,7 +50,7 @@ proptest! {
 
     /// The orientation and rate of a launched motion at t = 0 are those of its state.
     #[test]
-    fn state_to_constants_to_state((top, release) in releases()) {
+    fn a_launched_motion_starts_in_its_state((top, release) in releases()) {
         let state = State::from_release(&release).unwrap();
         let motion = Motion::launch(&top, &state).unwrap();
         let attitude = motion.attitude_at_launch();
@@ -70,7 +70,7 @@ proptest! {
     /// A release is rolled, tilted and rotated by its azimuth; the axis moves at the given rates, and the rest of ω
     /// is along the axis.
     #[test]
-    fn a_release_is_what_it_says((_, release) in releases()) {
+    fn a_release_has_its_angles_and_rates((_, release) in releases()) {
         let state = State::from_release(&release).unwrap();
         let [roll, azimuth] = [release.roll, release.azimuth].map(|angle| Orientation::<f64>::exp([0.0, 0.0, angle]));
         let turned = azimuth.compose(&Orientation::exp([0.0, release.tilt, 0.0])).compose(&roll);
@@ -112,7 +112,7 @@ proptest! {
 
     /// Near the vertical, up and down, with tilts and rates down to 1e-50, the motion starts in its state.
     #[test]
-    fn near_the_vertical(
+    fn a_motion_near_the_vertical_starts_in_its_state(
         top in tops(),
         tilt in decade(-50.0..-1.0),
         nudge in decade(-50.0..-1.0),
@@ -143,7 +143,7 @@ proptest! {
 
     /// The documented coverage of the two predefined sizes holds.
     #[test]
-    fn ready_sizes_fit((top, release) in releases()) {
+    fn the_predefined_sizes_hold_their_motions((top, release) in releases()) {
         let motion = Motion::launch(&top, &State::from_release(&release).unwrap()).unwrap();
         let e = motion.branch_points();
         let spread = top.transverse_inertia() / (top.mass_moment() * top.com_height());
@@ -157,7 +157,7 @@ proptest! {
 
     /// Near every degenerate case a motion from branch points is finite, and its state gives the same branch points.
     #[test]
-    fn branch_points_to_state_to_branch_points(
+    fn a_state_has_the_branch_points_of_its_motion(
         top in tops(),
         (gap1, gap2, gap3, gap4) in (decade(-9.0..0.0), decade(-9.0..0.0), decade(-9.0..0.0), 0.0_f64..1.0),
         theta in -3.0_f64..3.0,

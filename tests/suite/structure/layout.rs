@@ -1,5 +1,5 @@
-//! Reading order of core and of the host's library: their modules are declared in the order of dependence, and none uses a later one. Files are
-//! short, folders have few of them, and core has few dependencies.
+//! The order of modules, the length of files, the size of folders and the dependencies of core are compared with their rules: a module uses none
+//! declared later.
 
 use std::collections::BTreeMap;
 use std::fs;
