@@ -59,7 +59,7 @@ mod fit {
     mod blocks_and_single_precision;
     #[cfg(feature = "host")]
     mod derivatives_against_differences;
-    mod launches_from_few_sensors;
+    mod launches_from_ambiguous_readings;
     mod launches_from_simulated_sensors;
     mod losses_of_rotation_are_found;
     mod saturated_and_refused_readings;

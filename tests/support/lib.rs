@@ -1,4 +1,4 @@
-//! Shared parts of the tests of all crates: reference vectors, motions, tables, and the measure of errors.
+//! Shared parts of the tests: reference vectors, motions, tables, and the measure of errors.
 
 #[cfg(feature = "host")]
 pub mod full_solver;

@@ -1,4 +1,4 @@
-//! Random numbers of the tests, the same on every machine.
+//! Random numbers that are the same on every machine. Unit tests of core, which cannot use this crate, have the generator in their own crate.
 
 /// Linear congruential generator, by its state.
 pub struct Random(pub u64);

@@ -1,6 +1,6 @@
 //! Greatest errors that the tests allow, by the file of the test.
 //!
-//! They are two-sided: see [`check`](crate::check). A bound far above every error would not fail if the code, or the test, stopped working.
+//! They are two-sided: see [`check`](crate::check). The numbers of a list are in the order of the names that its test gives to `check_all`.
 //!
 //! Their scale is a rounding: 1.1e-16 in `f64`, 6e-8 in `f32`, 5e-10 in `I2F30`, 3e-5 in `I2F14`. An error may be larger by the condition of
 //! the problem near a degenerate motion, by the magnitude of a rate, or by the number of steps.
@@ -74,7 +74,11 @@ pub const BEYOND_THE_PAPER_TABLE: [f64; 2] = [2e-15; 2];
 // motion/every_stage_against_reference_motions.rs
 pub const EVERY_STAGE_L_N_H: f64 = 4e-16;
 pub const EVERY_STAGE_PERIOD: [f64; 2] = [4e-16, 3e-16];
-pub const EVERY_STAGE_STEPPER: [f64; 4] = [3e-13, 1e-11, 3e-16, 6e-6];
+pub const STEPPER_F64: f64 = 3e-13;
+pub const STEPPER_F64_SMALL_A: f64 = 1e-11;
+/// Error times e₃ - e₂.
+pub const STEPPER_F64_NEAR_SEPARATRIX: f64 = 3e-16;
+pub const STEPPER_F32: f64 = 6e-6;
 pub const EVERY_STAGE_REDUCED_MOTION_AND_TIP: [f64; 3] = [3e-13; 3];
 
 // motion/tip_curve_has_its_class.rs

@@ -14,7 +14,7 @@ use toytop::su2::{Vector, cross, dot};
 use toytop::{Complex, FirstIntegrals, Orientation, State, Top, TopParameters};
 use toytop_host::motion::full_solver::{Equations, FULL_SOLVER_TOLERANCE, FullSolver, FullState};
 use toytop_tests::full_solver::solver;
-use toytop_tests::{check, greater, tolerance, top_of, vectors};
+use toytop_tests::{check, greater, length, tolerance, top_of, vectors};
 
 const UP: Vector<f64> = [0.0, 0.0, 1.0];
 
@@ -159,7 +159,7 @@ fn eqn_motion_is_newton_and_euler() {
         for state in states() {
             let (r, omega) = (state.orientation().axis(), state.omega());
             let (m_dot, truth) = (lagrangian.momentum_rate(r, omega), newton_euler_rate(&top, &state));
-            let size = dot(m_dot, m_dot).sqrt().max(1.0);
+            let size = length(m_dot).max(1.0);
             for i in 0..3 {
                 worst = greater(worst, (m_dot[i] - truth[i]).abs() / size);
                 let kinetic = |step: f64| {

@@ -2,11 +2,11 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, RngSeed};
-use toytop::su2::dot;
+use toytop::su2::{cross, dot};
 use toytop::{
     BranchPoints, FirstIntegrals, InitialAngles, Motion, Orientation, Release, Signs, State, Stepper, Top,
 };
-use toytop_tests::top_of;
+use toytop_tests::{length, top_of};
 
 pub(crate) fn config(cases: u32) -> Config {
     Config {
@@ -78,12 +78,9 @@ proptest! {
         let ((sine, cosine), (y, x)) = (release.tilt.sin_cos(), release.azimuth.sin_cos());
         let axis = [sine * x, sine * y, cosine];
         let omega = state.omega();
-        let size = dot(omega, omega).sqrt() + release.nutation.abs() + release.precession.abs();
+        let size = length(omega) + release.nutation.abs() + release.precession.abs();
         prop_assert!((dot(omega, axis) - release.spin).abs() < 1e-14 * size);
-        let turning = [0, 1, 2].map(|i| {
-            let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-            omega[j] * axis[k] - omega[k] * axis[j]
-        });
+        let turning = cross(omega, axis);
         let (tilting, going_round) = ([cosine * x, cosine * y, -sine], [-sine * y, sine * x, 0.0]);
         for i in 0..3 {
             prop_assert!((state.orientation().axis()[i] - axis[i]).abs() < 1e-15);

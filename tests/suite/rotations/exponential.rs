@@ -1,7 +1,8 @@
 //! The exponential of su(2) (section 2 of the paper) is compared with rotations about its axis by its angle.
 
 use toytop::Orientation;
-use toytop::su2::{Vector, dot};
+use toytop::su2::Vector;
+use toytop_tests::{apart, length};
 
 /// Fixed pseudo-random rotations: exponentials of elements of su(2).
 pub(super) fn rotations() -> Vec<Orientation<f64>> {
@@ -10,11 +11,6 @@ pub(super) fn rotations() -> Vec<Orientation<f64>> {
 
 pub(super) fn vector(i: u32) -> Vector<f64> {
     [1.0, 2.0, 3.0].map(|k| (f64::from(i) * k * 1.618).sin() * (1.0 + k))
-}
-
-pub(super) fn distance(x: Vector<f64>, y: Vector<f64>) -> f64 {
-    let difference: Vector<f64> = std::array::from_fn(|i| x[i] - y[i]);
-    dot(difference, difference).sqrt() / dot(x, x).sqrt().max(1.0)
 }
 
 /// The exponential of an element of any size is a rotation about its axis; the rounding of the angle may exceed a
@@ -27,7 +23,7 @@ fn the_exponential_is_a_rotation_whatever_its_size() {
             let phi = Orientation::<f64>::exp(x);
             assert!((phi.norm_squared() - 1.0).abs() < 1e-15, "{x:?}: {phi:?}");
             let axis = x.map(|component| component / size);
-            assert!(distance(axis, phi.adjoint(axis)) < 2e-15, "{x:?}");
+            assert!(apart(axis, phi.adjoint(axis)) < 2e-15 * length(axis), "{x:?}");
             // |x| is exact for a vector along a coordinate axis
             let aligned = axis.iter().filter(|component| **component != 0.0).count() == 1;
             let miss = (phi.alpha.re - (0.5 * size).cos()).abs();

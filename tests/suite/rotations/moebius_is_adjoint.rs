@@ -2,10 +2,10 @@
 //!
 //! `None` is the point at infinity.
 
-use super::exponential::{distance, rotations, vector};
-use toytop::su2::{Vector, dot};
+use super::exponential::{rotations, vector};
+use toytop::su2::Vector;
 use toytop::{Complex, Orientation};
-use toytop_tests::{check, greater, tolerance};
+use toytop_tests::{apart, check, greater, length, tolerance};
 
 /// Image (αz + β)/(γz + δ) of z: the rotation Φ in the plane of [`stereographic`] (equation (2.5)).
 fn moebius(phi: &Orientation<f64>, z: Option<Complex<f64>>) -> Option<Complex<f64>> {
@@ -39,9 +39,9 @@ fn moebius_is_the_adjoint_action() {
     let mut worst = 0.0_f64;
     for (i, phi) in rotations().into_iter().enumerate() {
         let x = vector(i as u32 + 3);
-        let point = x.map(|component| component / dot(x, x).sqrt());
+        let point = x.map(|component| component / length(x));
         let turned = sphere_point(moebius(&phi, stereographic(point)));
-        worst = greater(worst, distance(turned, phi.adjoint(point)) * (1.0 - point[2]).min(1.0));
+        worst = greater(worst, apart(turned, phi.adjoint(point)) * (1.0 - point[2]).min(1.0));
     }
     check("Moebius", worst, tolerance::MOEBIUS);
     // 0 is the south pole, the unit circle the equator, and infinity the north pole

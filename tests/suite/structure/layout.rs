@@ -1,5 +1,5 @@
-//! The order of modules, the length of files, the size of folders and the dependencies of core are compared with their rules: a module uses none
-//! declared later.
+//! The sources are compared with their rules: a module uses none that is declared later, files are short, folders have few files, and core has
+//! few dependencies.
 
 use std::collections::BTreeMap;
 use std::fs;

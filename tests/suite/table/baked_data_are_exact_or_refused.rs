@@ -57,7 +57,7 @@ fn refused(baked: &Baked<f32, 25>, change: Change) -> Option<BakedError> {
 fn a_bit_flipped_anywhere_is_refused() {
     let motion = vectors::motion("exact_generic_pp");
     let baked = SizedTable::<f32, 25>::new(&motion, kilohertz()).unwrap().to_baked();
-    let changes: [Change; 17] = [
+    let changes: [Change; 15] = [
         |baked| baked.clock.epoch += 1,
         |baked| baked.clock.mean_tip_at_tick_0[3] ^= 1,
         |baked| baked.clock.tip_passages ^= 1,
@@ -72,8 +72,6 @@ fn a_bit_flipped_anywhere_is_refused() {
         |baked| baked.clock.twice_tip_scale = -baked.clock.twice_tip_scale,
         |baked| baked.clock.x_rate = f32::from_bits(baked.clock.x_rate.to_bits() ^ 1),
         |baked| baked.cells[15] ^= 1,
-        |baked| baked.segments[0][0][0] ^= 1,
-        |baked| baked.segments[24][4][3] ^= 1 << 31,
         |baked| baked.segments.swap(3, 4),
     ];
     for (index, change) in changes.into_iter().enumerate() {
@@ -85,7 +83,7 @@ fn a_bit_flipped_anywhere_is_refused() {
         for bit in 0..5 * 4 * 32 {
             let mut changed = baked.clone();
             changed.segments[segment][bit / 128][bit / 32 % 4] ^= 1 << (bit % 32);
-            assert!(changed.table().is_err(), "{segment} {bit}");
+            assert!(matches!(changed.table(), Err(BakedError::Checksum { .. })), "{segment} {bit}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Launches fitted to sensors that leave a rotation open, or that other launches fit almost as well, are compared with the true ones.
+//! Launches fitted to readings that leave a rotation open, or that other launches fit almost as well, are compared with the true ones.
 
 use super::simulated_sensors::{ACCELEROMETER, GYROSCOPE, MAGNETOMETER, held, mounting, simulated};
 use toytop::su2::dot;
