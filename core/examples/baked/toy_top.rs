@@ -17,7 +17,7 @@ pub static TOY_TOP: toytop::SizedTable<f32, 25> = match (toytop::Baked::<f32, 25
         twice_tip_scale: 0.06,
         x_rate: 421.27243,
         mean_sum_rate: 5.170723,
-        axial_rate: 150.0,
+        spin: 150.0,
         first_phases: [3493103337845293056, 6081764911959996544, 14410232149203499200],
         ticks_per_time: [1000.0, 0.0],
         mean_tip_at_tick_0: [0, 16757056, 2147483648, 0],

@@ -9,7 +9,7 @@ pub(crate) struct ReducedPoint {
     pub(crate) one_minus_u: Extended,
     pub(crate) one_plus_u: Extended,
     pub(crate) udot: Extended,
-    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`Top::energy_unit`].
+    /// Kinetic energy of the axis, (A |ω × r|² + p s u'²)/2, in units of [`energy_unit`](crate::Top::energy_unit).
     pub(crate) scaled_axis_energy: Extended,
 }
 

@@ -20,6 +20,8 @@ pub(super) mod range;
 
 mod i32;
 
+mod f32;
+
 #[cfg(feature = "fixed")]
 mod i16;
 
@@ -197,7 +199,7 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     rows: &[[R::Coefficient; 4]],
     point: SegmentPoint,
     mean_phases: [u64; 2],
-    [x, mean, axial]: [R::Quantity; 3],
+    [x, mean, spin]: [R::Quantity; 3],
 ) -> (Orientation<ComponentOf<R>>, Vector<R::Quantity>) {
     let [a, b] = mean_phases.map(R::sine_cosine_sums);
     let [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]] =
@@ -215,7 +217,7 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     let x = if point.is_falling { -x } else { x } * R::Quantity::from_f64((1_u32 << point.halvings) as f64);
     let change = (alpha.conj() * beta_slope - beta * alpha_slope.conj()).scaled(x);
     let n = change + (alpha.conj() * beta).times_i().scaled(mean);
-    (orientation, [n.im.doubled(), -n.re.doubled(), axial])
+    (orientation, [n.im.doubled(), -n.re.doubled(), spin])
 }
 
 /// a and b, and their derivatives, before the rotation, to 32 bits also for 16-bit coefficients: in units of 2^-31, and of 1 in `f64`.

@@ -174,7 +174,7 @@ fn a_field_beyond_its_range_is_named() {
         (|baked| baked.error_bound.constant = f64::NAN, "error_bound"),
         (|baked| baked.error_bound.per_tick = f64::NEG_INFINITY, "error_bound"),
         (|baked| baked.clock.twice_tip_scale = f32::MAX, "twice_tip_scale"),
-        (|baked| baked.clock.axial_rate = f32::NAN, "axial_rate"),
+        (|baked| baked.clock.spin = f32::NAN, "spin"),
         // a sum of 2^31 is the smallest that is too large: the half of 1 is rounded up
         (|baked| baked.segments[3][1..3].copy_from_slice(&[[i32::MAX, 0, 0, 0], [1, 0, 0, 0]]), "segments"),
         (|baked| baked.segments[24][4][3] = i32::MIN, "segments"),

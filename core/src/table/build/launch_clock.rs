@@ -53,7 +53,7 @@ impl<W: Float> Clock<W> {
             // x changes by 2 over each segment
             x_rate: W::from_f64(4.0 * MIN_SEGMENTS as f64 * rates.nutation.to_f64()),
             mean_sum_rate: W::from_f64(((rates.alpha + rates.beta) * Extended::TWO_PI).to_f64()),
-            axial_rate: W::from_f64(motion.first_integrals().spin),
+            spin: W::from_f64(motion.first_integrals().spin),
             first_phases: first_phases.map(WrappedPhase::leading_bits).into_array(),
             ticks_per_time: tick.rate().to_f64_pair(),
             epoch,

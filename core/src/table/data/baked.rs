@@ -149,7 +149,7 @@ macro_rules! baked {
                     ("twice_tip_scale", is_small(clock.twice_tip_scale)),
                     ("x_rate", is_small(clock.x_rate)),
                     ("mean_sum_rate", is_small(clock.mean_sum_rate)),
-                    ("axial_rate", is_small(clock.axial_rate)),
+                    ("spin", is_small(clock.spin)),
                     ("segments", segments.is_empty()),
                     ("cells", self.has_segments_of_cells()),
                 ];

@@ -10,7 +10,7 @@ use crate::table::time::{Instant, Phases};
 /// |---|---|
 /// | orientation at a tick | `first_phases`, `increments` |
 /// | orientation at a time | also `ticks_per_time` |
-/// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `mean_sum_rate`, `axial_rate` |
+/// | tip, angular velocity | `twice_tip_scale`; `x_rate`, `mean_sum_rate`, `spin` |
 /// | tip angle | `mean_tip_at_tick_0`, `ab_quarter_turns_at_e1`, `tip_passages`, `tip_exists` |
 /// | events, error bounds | `has_turning_points`; `epoch` |
 ///
@@ -36,7 +36,7 @@ pub struct Clock<W> {
     /// Rate of Λ_α + Λ_β, rad/s.
     pub mean_sum_rate: W,
     /// Angular velocity (n - K)/C about the axis, rad/s.
-    pub axial_rate: W,
+    pub spin: W,
     /// Nutation phase and mean phases at tick `i64::MIN`, in units of 2^-64 turns.
     pub first_phases: [u64; 3],
     /// Number of ticks in a unit of time, as the sum of two `f64`.
@@ -57,7 +57,7 @@ impl<W: Float> Clock<W> {
         twice_tip_scale: W::ZERO,
         x_rate: W::ZERO,
         mean_sum_rate: W::ZERO,
-        axial_rate: W::ZERO,
+        spin: W::ZERO,
         first_phases: [0; 3],
         ticks_per_time: [0.0; 2],
         mean_tip_at_tick_0: [0; 4],
@@ -69,7 +69,7 @@ impl<W: Copy> Clock<W> {
     /// Rates of x on a segment of an eighth of half a period, of Λ_α + Λ_β, and about the axis.
     #[inline(always)]
     pub(crate) const fn rates(&self) -> [W; 3] {
-        [self.x_rate, self.mean_sum_rate, self.axial_rate]
+        [self.x_rate, self.mean_sum_rate, self.spin]
     }
 
     #[inline(always)]

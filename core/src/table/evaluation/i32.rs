@@ -6,13 +6,16 @@
 
 use crate::complex::Complex;
 use crate::integer::{high_product, shifted_right};
-use crate::scalar::{Q30, Wide, short_sine_cosine_q31};
+use crate::scalar::Q30;
 use crate::table::evaluation::{Coefficient, SegmentPoint, TABLE_BITS, TableScalar, TickErrors, range};
 #[cfg(feature = "fixed")]
-use {crate::scalar::sine_cosine_q31, fixed::types::I2F30};
+use {
+    crate::scalar::{Wide, sine_cosine_q31},
+    fixed::types::I2F30,
+};
 
 /// Unit of the results, 2^-30.
-const UNIT_Q30: f64 = 1.0 / (1_u64 << 30) as f64;
+pub(super) const UNIT_Q30: f64 = 1.0 / (1_u64 << 30) as f64;
 /// Error of the local coordinate, by which a and b are off.
 pub(super) const COORDINATE_ERROR: f64 = 2.0 / (1_u64 << 32) as f64;
 /// Errors with sines to 31 bits.
@@ -22,36 +25,6 @@ pub(super) const ERRORS_Q30: TickErrors = TickErrors {
     omega: 22.0 * UNIT_Q30,
     relative_omega: 21.0 * f32::ROUNDING,
 };
-
-impl TableScalar for f32 {
-    type Coefficient = i32;
-    type Segment = [[i32; 4]; 5];
-    type Quantity = Self;
-    type SetUpFloat = Wide<1>;
-
-    const ROUNDING: f64 = f32::EPSILON as f64 / 2.0;
-    const CODE: u32 = 32;
-    const TERMS: usize = 5;
-    const ZERO_SEGMENT: Self::Segment = [[0; 4]; 5];
-    /// Errors with sines to 26 bits and results in `f32`.
-    const ERRORS: TickErrors =
-        TickErrors { orientation: (15.2 + 2.83 * 12.5) * UNIT_Q30 + f32::EPSILON as f64, ..ERRORS_Q30 };
-
-    #[inline]
-    fn from_number(number: Q30) -> Self {
-        number.into()
-    }
-
-    #[inline]
-    fn to_quantity(number: Q30) -> f32 {
-        number.into()
-    }
-
-    #[inline(always)]
-    fn sine_cosine_sums(phase: u64) -> [i32; 2] {
-        short_sine_cosine_q31((phase >> 32) as u32).into()
-    }
-}
 
 #[cfg(feature = "fixed")]
 impl TableScalar for I2F30 {

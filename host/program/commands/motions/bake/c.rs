@@ -73,8 +73,7 @@ fn definition<R: TableScalar<Coefficient: Into<f64>>>(
     let rows = table.segments().iter().flat_map(|segment| segment.as_ref());
     let rows: Vec<_> = rows.map(|row| format!("    {{{}}},\n", row.map(number).join(", "))).collect();
     let clock = table.clock();
-    let scales =
-        [clock.twice_tip_scale, clock.x_rate, clock.mean_sum_rate, clock.axial_rate].map(Float::to_f64);
+    let scales = [clock.twice_tip_scale, clock.x_rate, clock.mean_sum_rate, clock.spin].map(Float::to_f64);
     format!(
         "static const toytop_coefficient_{scalar} {name}_coefficients[{count}][4] = {{
 {rows}}};

@@ -52,7 +52,7 @@ pub static {name}: toytop::SizedTable{size} = match (toytop::Baked::{size} {{
         clock = fields!(
             table.clock();
             increments, ab_quarter_turns_at_e1, tip_passages, tip_exists, has_turning_points, twice_tip_scale, x_rate,
-            mean_sum_rate, axial_rate, first_phases, ticks_per_time, mean_tip_at_tick_0, epoch
+            mean_sum_rate, spin, first_phases, ticks_per_time, mean_tip_at_tick_0, epoch
         ),
         error_bound = table.error_bound(),
         rate_error_bound = table.rate_error_bound(),
