@@ -150,10 +150,10 @@ impl<'a, F: Float> Path<'a, F> {
     }
 
     /// Continues the path by a span: expands the motion around its centre, computes the polynomials of a and b, and searches for the launch.
-    /// `None` if they are not accurate; the path must then return to an earlier end.
+    /// `None` if they are not accurate; the end is then that of the span before.
     pub(super) fn advance(&mut self, span: Interval) -> Option<()> {
         let centre = self.step(span, self.end)?;
-        (self.span, self.end) = (span, self.step(span, centre)?);
+        let end = self.step(span, centre)?;
         let PathScratch { expansion, exponential, polynomials, .. } = &mut *self.scratch;
         let least = self.budget.dropped_q62;
         for (index, (polynomial, exponentials)) in polynomials.iter_mut().zip(self.exponentials).enumerate() {
@@ -165,7 +165,8 @@ impl<'a, F: Float> Path<'a, F> {
             polynomial.drop_negligible_terms(terms, self.budget)?;
         }
         (self.pause)();
-        self.launch.search(expansion, self.end.phases.chi, span);
+        self.launch.search(expansion, end.phases.chi, span);
+        (self.span, self.end) = (span, end);
         Some(())
     }
 

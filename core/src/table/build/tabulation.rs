@@ -9,8 +9,7 @@
 //!
 //! A span has whole cells, or a cell has several spans of one length. All segments of a cell have one length, and none crosses the end of a span.
 //! If a span or the segments of a cell are not accurate, half their length is tried. After a success twice the length is tried: for segments at the
-//! next cell, for spans where a span of twice the length may begin. A cell in a span is tried again without a new expansion; a cell of several
-//! spans begins again with its first one. Hence two procedures.
+//! next cell, for spans where a span of twice the length may begin. A cell of several spans is tried again from its first span; a longer span remains.
 
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::build::path::{MIN_SPAN_DEPTH, Path};
@@ -44,6 +43,8 @@ pub(super) struct Tabulation<'a, 'p, R: TableScalar> {
     capacity: usize,
     /// End of the last cell.
     position: usize,
+    /// End of the last span.
+    span_end: usize,
     /// Depth of the next span.
     span_depth: u32,
     /// Depth of the next segments.
@@ -59,7 +60,7 @@ impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
         capacity: usize,
     ) -> Self {
         let (span_depth, depth) = (MIN_SPAN_DEPTH, MIN_DEPTH);
-        Self { division, path, segments, capacity, position: 0, span_depth, depth }
+        Self { division, path, segments, capacity, position: 0, span_end: 0, span_depth, depth }
     }
 
     /// Tabulates the path to u = e₂; `None` as soon as the segments cannot fit.
@@ -67,53 +68,35 @@ impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
     pub(super) fn tabulate(&mut self) -> Option<()> {
         while self.position < SHORTEST_SEGMENTS {
             let start = self.path.end();
-            let is_accurate = if self.span_depth <= CELL_DEPTH {
-                self.tabulate_span()?
-            } else {
-                self.tabulate_cell_of_short_spans()?
-            };
-            if !is_accurate {
+            if self.tabulate_cell()? {
+                if Interval::least_depth_at(self.position) + 2 <= self.span_depth {
+                    // never longer than the longest span, because the least depth inside the half period is at least 1
+                    self.span_depth -= 1;
+                }
+            } else if self.span_depth > CELL_DEPTH {
                 self.path.return_to(start);
-            } else if Interval::least_depth_at(self.position) + 2 <= self.span_depth {
-                // never longer than the longest span, because the least depth inside the half period is at least 1
-                self.span_depth -= 1;
+                self.span_end = self.position;
             }
         }
         Some(())
     }
 
-    /// Tabulates the cells of a span. Returns whether the span is accurate.
-    fn tabulate_span(&mut self) -> Option<bool> {
-        let span = Interval { begin: self.position, depth: self.span_depth };
-        if self.path.advance(span).is_none() {
-            self.span_depth += 1;
-            return Some(false);
-        }
-        while self.position < span.end() {
-            let least_depth = Interval::least_depth_at(self.position).max(span.depth);
-            self.depth = self.depth.max(MIN_DEPTH).max(least_depth);
-            // a segment may have two cells
-            let cell = self.next_cell(self.depth.min(CELL_DEPTH))?;
-            let mut bounds = SegmentBounds::ZERO;
-            match self.store_segments(cell, &mut bounds) {
-                Some(()) => self.complete_cell(cell, &bounds),
-                None => self.depth += 1,
-            }
-        }
-        Some(true)
-    }
-
-    /// Tabulates a cell of several spans. Returns whether spans and segments are accurate.
-    fn tabulate_cell_of_short_spans(&mut self) -> Option<bool> {
-        self.depth = self.depth.max(self.span_depth);
-        let cell = self.next_cell(CELL_DEPTH)?;
+    /// Tabulates the next cell, or the next two. Returns whether spans and segments are accurate.
+    fn tabulate_cell(&mut self) -> Option<bool> {
+        let least_depth = Interval::least_depth_at(self.position).max(self.span_depth).max(MIN_DEPTH);
+        self.depth = self.depth.max(least_depth);
+        let cell = self.next_cell()?;
         let mut bounds = SegmentBounds::ZERO;
-        for span in cell.parts(self.span_depth) {
-            if self.path.advance(span).is_none() {
-                self.span_depth += 1;
-                return Some(false);
+        for part in cell.parts(self.span_depth.max(cell.depth)) {
+            if part.begin == self.span_end {
+                let span = Interval { begin: part.begin, depth: self.span_depth };
+                if self.path.advance(span).is_none() {
+                    self.span_depth += 1;
+                    return Some(false);
+                }
+                self.span_end = span.end();
             }
-            if self.store_segments(span, &mut bounds).is_none() {
+            if self.store_segments(part, &mut bounds).is_none() {
                 self.depth += 1;
                 return Some(false);
             }
@@ -123,8 +106,9 @@ impl<'a, 'p, R: TableScalar> Tabulation<'a, 'p, R> {
     }
 
     /// Next cell, or the next two; `None` if its segments cannot fit.
-    fn next_cell(&self, depth: u32) -> Option<Interval> {
-        let cell = Interval { begin: self.position, depth };
+    fn next_cell(&self) -> Option<Interval> {
+        // a segment may have two cells
+        let cell = Interval { begin: self.position, depth: self.depth.min(CELL_DEPTH) };
         let least_after = (SHORTEST_SEGMENTS - cell.end()).div_ceil(SHORTEST_SEGMENTS >> MIN_DEPTH);
         let count = self.division.segment_count + cell.part_count(self.depth) + least_after;
         (self.depth <= Cell::MAX_DEPTH && count <= self.capacity).then_some(cell)
