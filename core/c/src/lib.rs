@@ -15,8 +15,9 @@ mod input;
 
 mod motion;
 
-// From here on each module ends with its functions of each scalar, `toytop_f32_...`, `toytop_f64_...` and `toytop_q31_...`.
 mod table;
+
+// Each module below ends with its functions of each scalar, `toytop_f32_...`, `toytop_f64_...` and `toytop_q31_...`.
 
 mod set_up;
 

@@ -21,7 +21,7 @@ use super::{ParameterError, State, Support, Top, check, check_range};
 use crate::scalar::Float;
 use crate::su2::{Vector, add_scaled, cross, dot, scaled};
 
-/// Impulse at a point of a body. A pair J at X + D and -J at X is an angular impulse: its vector is that from the second point to the first, times J.
+/// Impulse at a point of a body. A couple is two impulses, J at X + D and -J at X; its angular impulse is D × J.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct PointImpulse {

@@ -41,7 +41,7 @@ const MAX_E3: f64 = 1e14;
 impl BranchPoints {
     /// First integrals of branch points and signs (equation (3.6)). Without torque they are not determined, and l = n = 0.
     pub fn integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals {
-        self.map(Extended::from).unrounded_integrals(top, signs).map(Float::to_f64)
+        self.map(Extended::from).extended_integrals(top, signs).map(Float::to_f64)
     }
 }
 
@@ -65,7 +65,7 @@ impl BranchPoints<Extended> {
     }
 
     /// First integrals in extended precision.
-    pub(crate) fn unrounded_integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
+    pub(crate) fn extended_integrals(&self, top: &Top, signs: Signs) -> FirstIntegrals<Extended> {
         let Top { a, c, p, g, .. } = *top;
         let scale = (a * p * g).doubled();
         let plus = (scale * self.one_plus_e1 * self.one_plus_e2() * self.one_plus_e3()).sqrt();

@@ -1,7 +1,7 @@
 //! Kind of a motion and of its tip curve (paper, section 4.2).
 //!
-//! A regular precession whose state is rounded to `f64` nutates, mostly by less than 2^-49 rad. It is called a precession
-//! (`nutates_beyond_rounding`), and computed as the small nutation that it is (`is_steady`): otherwise the error would be up to 7e-13 rad for
+//! A regular precession whose state is rounded to `f64` nutates, mostly by less than 2^-49 rad. Its [`Regime`] is that of a precession
+//! (`nutates_beyond_rounding`), but its motion is computed with the nutation (`is_steady`): without it the error would be up to 7e-13 rad for
 //! A/(ps) = 1e-5.
 
 use crate::constants::{BranchPoints, Signs};

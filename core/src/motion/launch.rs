@@ -101,7 +101,7 @@ impl Motion {
     /// Motion from branch points -1 <= e₁ <= e₂ <= 1 <= e₃, which count as exact, and its phases at t = 0.
     ///
     /// # Errors
-    /// * `e1`, `e2`, `e3`: not finite or not in this order
+    /// * `e1`, `e2`, `e3`: not finite or not in this order, or e₃ above 1e14
     /// * `theta`, `arg_alpha`, `arg_beta`: not finite or beyond ±1e6 rad
     /// * `top`: no torque acts; branch points then determine no rate
     /// * `e3`: the axial rate (n - K)/C exceeds 1e24 per unit of time, or C = 0 and n is not K
@@ -121,7 +121,7 @@ impl Motion {
         for (name, angle) in [("theta", theta), ("arg_alpha", arg_alpha), ("arg_beta", arg_beta)] {
             check_range(-1e6..=1e6, name, angle, "between -1e6 and 1e6 rad")?;
         }
-        let integrals = e.unrounded_integrals(top, signs);
+        let integrals = e.extended_integrals(top, signs);
         let FirstIntegrals { n, spin, l_plus_n, l_minus_n, .. } = integrals;
         let Top { c, k, .. } = *top;
         let rounding = (l_plus_n.abs() + l_minus_n.abs() + k.abs()) * Extended::from(f64::EPSILON);

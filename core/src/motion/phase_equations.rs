@@ -74,12 +74,7 @@ impl PhaseEquations<Extended> {
         }
     }
 
-    pub(crate) fn with_torque(
-        top: &Top,
-        e: &BranchPoints<Extended>,
-        l_plus_n: Extended,
-        signs: Signs,
-    ) -> Self {
+    fn with_torque(top: &Top, e: &BranchPoints<Extended>, l_plus_n: Extended, signs: Signs) -> Self {
         let Top { a, s, p, g, .. } = *top;
         // with lengths near 1 the constants are in the range of `f32`
         let unit = exponent(a.to_f64()) - exponent(p.to_f64());

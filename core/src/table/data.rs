@@ -4,8 +4,6 @@ pub(super) mod cell;
 
 mod clock;
 
-mod error_bound;
-
 mod table;
 
 mod memory;
@@ -15,8 +13,7 @@ mod baked;
 pub use baked::{Baked, BakedError};
 pub use cell::{MAX_SEGMENTS, MIN_SEGMENTS};
 pub use clock::Clock;
-pub use error_bound::ErrorBound;
 pub use memory::TableMemory;
-pub use table::{SizedTable, Table, TableF32, TableF64};
+pub use table::{ErrorBound, SizedTable, Table, TableF32, TableF64};
 #[cfg(feature = "fixed")]
 pub use table::{TableQ15, TableQ31};

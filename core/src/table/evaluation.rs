@@ -107,14 +107,14 @@ pub trait TableScalar: Sealed + Copy + Debug + PartialEq + Neg<Output = Self> + 
 
     /// Nearest value of the scalar.
     #[doc(hidden)]
-    fn from_number(number: ComponentOf<Self>) -> Self;
+    fn from_component(number: ComponentOf<Self>) -> Self;
     /// Length or rate of a number.
     #[doc(hidden)]
     fn to_quantity(number: ComponentOf<Self>) -> Self::Quantity;
 
     /// Sine and cosine of a phase, given by its 64 leading bits.
     #[doc(hidden)]
-    fn sine_cosine_sums(phase: u64) -> [AccumulatorOf<Self>; 2];
+    fn sine_cosine(phase: u64) -> [AccumulatorOf<Self>; 2];
 
     /// Complex number of the table, rotated for the angular velocity by the angle with this sine and cosine.
     #[doc(hidden)]
@@ -186,8 +186,8 @@ pub(crate) fn orientation<R: TableScalar>(
 ) -> Orientation<ComponentOf<R>> {
     let [[re_a, im_a, re_b, im_b], _] = polynomials::<R::Coefficient, false>(rows, point);
     // each sine where it is needed: the smallest chips have few registers
-    let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, R::sine_cosine_sums(a));
-    let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, R::sine_cosine_sums(b));
+    let alpha = R::Coefficient::rotated([re_a, im_a], point.is_falling, R::sine_cosine(a));
+    let beta = R::Coefficient::rotated([re_b, im_b], point.is_falling, R::sine_cosine(b));
     Orientation { alpha, beta }
 }
 
@@ -201,7 +201,7 @@ pub(crate) fn orientation_and_omega_body<R: TableScalar>(
     mean_phases: [u64; 2],
     [x, mean, spin]: [R::Quantity; 3],
 ) -> (Orientation<ComponentOf<R>>, Vector<R::Quantity>) {
-    let [a, b] = mean_phases.map(R::sine_cosine_sums);
+    let [a, b] = mean_phases.map(R::sine_cosine);
     let [[re_a, im_a, re_b, im_b], [re_slope_a, im_slope_a, re_slope_b, im_slope_b]] =
         polynomials::<R::Coefficient, true>(rows, point);
     let falling = point.is_falling;

@@ -208,9 +208,9 @@ fn a_table_without_segments_is_refused() {
     assert_eq!(empty.table().err(), Some(BakedError::OutOfRange { field: "cells" }));
 }
 
-/// The page on the format has a row for every field of the clock, in the order of the checksum.
+/// The page on the format states its number, and has a row for every field of the clock in the order of the structure.
 #[test]
-fn the_page_lists_the_fields_of_the_clock() {
+fn the_page_states_the_format_and_the_fields_of_the_clock() {
     let page = include_str!("../../../core/docs/table_format.md");
     let rows: Vec<&str> = page
         .lines()
@@ -225,4 +225,8 @@ fn the_page_lists_the_fields_of_the_clock() {
         .map(|(name, _)| name.trim())
         .collect();
     assert_eq!(rows, fields);
+    let format = Baked::<f32, 25>::FORMAT;
+    for stated in [format!("specifies format **{format}**"), format!("| `format` | `u32` | {format} |")] {
+        assert!(page.contains(&stated), "{stated}");
+    }
 }

@@ -22,7 +22,7 @@ pub(super) struct EllipticEquations<'a, F> {
     equations: &'a PhaseEquations<F>,
     root_s: F,
     /// Difference E - √s, which is d₋ at u = 1 and d₊ at u = -1.
-    d_plus_at_minus_one: F,
+    d_at_vertical: F,
     /// Values of d₊ at e₁ and e₂.
     d_plus: [F; 2],
     /// Whether e₄ < e₃; f is then d₋.
@@ -40,17 +40,17 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
     pub(super) fn new(equations: &'a PhaseEquations<F>) -> Self {
         let PhaseEquations { a_over_p, s, e2_minus_e1, e3_minus_e2, half_g, .. } = *equations;
         let root_s = s.sqrt();
-        let d_plus_at_minus_one = a_over_p / ((a_over_p + s).sqrt() + root_s);
-        let at_e1 = d_plus_at_minus_one + root_s * equations.one_plus_e1;
+        let d_at_vertical = a_over_p / ((a_over_p + s).sqrt() + root_s);
+        let at_e1 = d_at_vertical + root_s * equations.one_plus_e1;
         let at_e2 = at_e1 + root_s * e2_minus_e1;
         // e₄ - 1 < e₃ - 1, times s
-        let e4_is_nearer = root_s * d_plus_at_minus_one < equations.s_times_e3_minus_one;
+        let e4_is_nearer = root_s * d_at_vertical < equations.s_times_e3_minus_one;
         // f at e₁ and e₂, and d₊ at the lesser of e₃ and e₄ in the unit of f
         let (f_at_e1, f_at_e2, d_at_nearest);
         if e4_is_nearer {
-            f_at_e2 = d_plus_at_minus_one + root_s * equations.one_minus_e2;
+            f_at_e2 = d_at_vertical + root_s * equations.one_minus_e2;
             f_at_e1 = f_at_e2 + root_s * e2_minus_e1;
-            d_at_nearest = (d_plus_at_minus_one + root_s).doubled() * root_s;
+            d_at_nearest = (d_at_vertical + root_s).doubled() * root_s;
         } else {
             (f_at_e1, f_at_e2) = (e3_minus_e2 + e2_minus_e1, e3_minus_e2);
             d_at_nearest = at_e2 + root_s * e3_minus_e2;
@@ -62,7 +62,7 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
         Self {
             equations,
             root_s,
-            d_plus_at_minus_one,
+            d_at_vertical,
             d_plus: [at_e1, at_e2],
             e4_is_nearer,
             chi_factors: [equations.alpha_chi_time * rate, equations.beta_chi_time * rate],
@@ -73,21 +73,21 @@ impl<'a, F: Float> EllipticEquations<'a, F> {
 
     /// Derivatives dt/dv, dψ_α/dv and dψ_β/dv, each divided by its factor.
     pub(super) fn at(&self, fractions: &JacobiFractions<F>) -> [F; 3] {
-        let Self { equations, root_s, d_plus_at_minus_one, d_plus: [at_e1, at_e2], chi_factors, .. } = self;
-        let JacobiFractions { sn_squared, cn_squared, dn, dn_denominator } = *fractions;
+        let Self { equations, root_s, d_at_vertical, d_plus: [at_e1, at_e2], chi_factors, .. } = self;
+        let JacobiFractions { sn_squared, cn_squared, dn_numerator, dn_denominator } = *fractions;
         let [low, high] = [*at_e1 * sn_squared, *at_e2 * cn_squared];
         let [alpha_chi, beta_chi] = *chi_factors;
         let sum = low + high;
         // one division for 1/P and dn
         let inverse_product = F::ONE / (sum * dn_denominator);
         let swing_per_p = equations.e2_minus_e1 * inverse_product * dn_denominator;
-        let dn = dn * inverse_product * sum;
+        let dn = dn_numerator * inverse_product * sum;
         let above_e1 = swing_per_p * low;
         let below_e2 = swing_per_p * high;
         let one_minus_u = equations.one_minus_e2 + below_e2;
         let one_plus_u = equations.one_plus_e1 + above_e1;
         let d_plus = *at_e1 + *root_s * above_e1;
-        let d_minus = *d_plus_at_minus_one + *root_s * one_minus_u;
+        let d_minus = *d_at_vertical + *root_s * one_minus_u;
         let [alpha, beta] = equations.psi_factors(one_plus_u, one_minus_u);
         if self.e4_is_nearer {
             let root = (equations.e3_minus_e2 + below_e2).sqrt();

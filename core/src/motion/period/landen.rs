@@ -3,12 +3,12 @@
 use crate::integer::exponent;
 use crate::scalar::{Extended, Float};
 
-/// Fractions before division: sn² = sn_squared/(sn_squared + cn_squared), cn² likewise, and dn = dn/dn_denominator.
+/// Fractions before division: sn² = sn_squared/(sn_squared + cn_squared), cn² likewise, and dn = dn_numerator/dn_denominator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct JacobiFractions<F> {
     pub(super) sn_squared: F,
     pub(super) cn_squared: F,
-    pub(super) dn: F,
+    pub(super) dn_numerator: F,
     pub(super) dn_denominator: F,
 }
 
@@ -123,17 +123,22 @@ impl<F: Float> Landen<F> {
             x = x * w;
             w = sum.squared();
         }
-        JacobiFractions { sn_squared: self.scale * x, cn_squared: y, dn: difference, dn_denominator: sum }
+        JacobiFractions {
+            sn_squared: self.scale * x,
+            cn_squared: y,
+            dn_numerator: difference,
+            dn_denominator: sum,
+        }
     }
 
     /// Functions at K - v from those at v: sn² : cn² becomes cn² : m₁ sn², and dn becomes k'/dn.
     pub(super) fn at_complement(&self, fractions: &JacobiFractions<F>) -> JacobiFractions<F> {
-        let JacobiFractions { sn_squared, cn_squared, dn, dn_denominator } = *fractions;
+        let JacobiFractions { sn_squared, cn_squared, dn_numerator, dn_denominator } = *fractions;
         JacobiFractions {
             sn_squared: cn_squared,
             cn_squared: self.complementary_modulus.squared() * sn_squared,
-            dn: self.complementary_modulus * dn_denominator,
-            dn_denominator: dn,
+            dn_numerator: self.complementary_modulus * dn_denominator,
+            dn_denominator: dn_numerator,
         }
     }
 }

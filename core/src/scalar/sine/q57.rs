@@ -1,8 +1,8 @@
 //! Sines of phases of 96 bits in integers, from power series: for set-ups.
 //!
 //! Their error of 2^-56 is far below the roundings of a table. With sines in `f64` instead, the costliest set-up in `f32` takes 10.5 million
-//! cycles of a Cortex-M4F instead of 9.9. With an FPU for `f64` these sines take three times as long as those, so that
-//! [`Real::sine_cosine`](crate::scalar::Real::sine_cosine) does not use them.
+//! cycles of a Cortex-M4F instead of 9.9. With an FPU for `f64` the polynomials in `f64` take a third of their time, so that
+//! [`Real::sine_cosine`](crate::scalar::Real::sine_cosine) uses those.
 
 use super::rotate_quarter_turns;
 use crate::integer::{Limbs, product_i32};

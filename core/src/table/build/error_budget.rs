@@ -11,7 +11,7 @@ const TERMS_FRACTION: f32 = 1.0 / 256.0;
 /// Part of a segment's share that a segment of two cells may use: its derivative, and with it the energy, is less accurate.
 const TWO_CELLS_FRACTION: f32 = 1.0 / 8.0;
 
-/// Factor of the limit below which a term ends the series of a rate: limit = factor · half length of the span · allowed error of dropped terms. The
+/// A term of a rate ends the series if it is below this number times half the length of the span times the allowed error of dropped terms. The
 /// integral of such a term over the span is some hundred times smaller.
 const LAST_TERM_FACTOR: f64 = 512.0;
 

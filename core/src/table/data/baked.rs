@@ -16,7 +16,7 @@ const FORMAT: u32 = 11;
 
 /// Fields of a [`SizedTable`] as `toytop bake SCENARIO` writes them, in [the table format](crate::table_format).
 ///
-/// `table` refuses data that were changed or would overflow. A constant of such data does not compile.
+/// `table` refuses data that were changed or would overflow. In a constant this is a compile error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Baked<R: TableScalar, const SEGMENTS: usize> {
     /// Version of the format: [`Baked::FORMAT`].

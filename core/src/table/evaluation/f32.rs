@@ -19,7 +19,7 @@ impl TableScalar for f32 {
         TickErrors { orientation: (15.2 + 2.83 * 12.5) * UNIT_Q30 + f32::EPSILON as f64, ..ERRORS_Q30 };
 
     #[inline]
-    fn from_number(number: Q30) -> Self {
+    fn from_component(number: Q30) -> Self {
         number.into()
     }
 
@@ -29,7 +29,7 @@ impl TableScalar for f32 {
     }
 
     #[inline(always)]
-    fn sine_cosine_sums(phase: u64) -> [i32; 2] {
+    fn sine_cosine(phase: u64) -> [i32; 2] {
         short_sine_cosine_q31((phase >> 32) as u32).into()
     }
 }

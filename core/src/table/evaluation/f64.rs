@@ -22,7 +22,7 @@ impl TableScalar for f64 {
     };
 
     #[inline]
-    fn from_number(number: Self) -> Self {
+    fn from_component(number: Self) -> Self {
         number
     }
 
@@ -32,7 +32,7 @@ impl TableScalar for f64 {
     }
 
     #[inline(always)]
-    fn sine_cosine_sums(phase: u64) -> [f64; 2] {
+    fn sine_cosine(phase: u64) -> [f64; 2] {
         sine_cosine_f64(phase).into()
     }
 }

@@ -28,7 +28,7 @@ impl TableScalar for I2F14 {
     };
 
     #[inline]
-    fn from_number(Wrapping(number): Q14) -> Self {
+    fn from_component(Wrapping(number): Q14) -> Self {
         number
     }
 
@@ -38,7 +38,7 @@ impl TableScalar for I2F14 {
     }
 
     #[inline(always)]
-    fn sine_cosine_sums(phase: u64) -> [i32; 2] {
+    fn sine_cosine(phase: u64) -> [i32; 2] {
         let (sine, cosine) = coarse_sine_cosine_q30((phase >> 32) as u32);
         [sine >> 15, cosine >> 15]
     }

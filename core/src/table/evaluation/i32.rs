@@ -41,7 +41,7 @@ impl TableScalar for I2F30 {
     const ERRORS: TickErrors = ERRORS_Q30;
 
     #[inline]
-    fn from_number(number: Q30) -> Self {
+    fn from_component(number: Q30) -> Self {
         Self::from_bits(number.0)
     }
 
@@ -51,7 +51,7 @@ impl TableScalar for I2F30 {
     }
 
     #[inline(always)]
-    fn sine_cosine_sums(phase: u64) -> [i32; 2] {
+    fn sine_cosine(phase: u64) -> [i32; 2] {
         sine_cosine_q31((phase >> 32) as u32).into()
     }
 }
@@ -60,8 +60,8 @@ impl Coefficient for i32 {
     type Accumulator = Self;
     type Component = Q30;
 
-    /// Coefficient in units of 2^-(31 + power). It has half a unit more, because the product added to it is rounded down. The constant has none: a
-    /// complement changes its sign.
+    /// Coefficient in units of 2^-(31 + power). It has half a unit more, because the product added to it is rounded down. The constant has none: on
+    /// the falling half, where its complement is taken, it would count as half a unit less.
     fn nearest(value: i64, power: usize) -> Self {
         let dropped = TABLE_BITS - 31 - power as u32;
         if power == 0 {

@@ -19,8 +19,8 @@ pub struct Sample<'a, R: TableScalar> {
     /// 64 leading bits of the phases.
     pub(in crate::table) phases: Phases<u64>,
     pub(in crate::table) instant: Instant,
-    /// Orientation before it is rounded to the scalar.
-    unrounded: Orientation<ComponentOf<R>>,
+    /// Orientation in the number type of a tick.
+    components: Orientation<ComponentOf<R>>,
 }
 
 impl<'a, R: TableScalar> Sample<'a, R> {
@@ -28,8 +28,8 @@ impl<'a, R: TableScalar> Sample<'a, R> {
     #[inline(always)]
     pub(crate) fn new(table: &'a Table<R>, phases: Phases<u64>, instant: Instant) -> Self {
         let LocatedSegment { rows, point, .. } = table.segment_at(phases.nutation);
-        let unrounded = orientation::<R>(rows, point, [phases.alpha, phases.beta]);
-        Self { table, phases, instant, unrounded }
+        let components = orientation::<R>(rows, point, [phases.alpha, phases.beta]);
+        Self { table, phases, instant, components }
     }
 }
 
@@ -44,21 +44,21 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn orientation(&self) -> Orientation<R> {
-        self.unrounded.map(R::from_number)
+        self.components.map(R::from_component)
     }
 
     /// Cosine u of the tilt, not limited: a rounding may take it past ±1.
     #[inline(always)]
     #[must_use]
     pub fn u(&self) -> R {
-        R::from_number(self.unrounded.u())
+        R::from_component(self.components.u())
     }
 
     /// Unit vector r from the tip to the centre of mass, in the fixed frame.
     #[inline(always)]
     #[must_use]
     pub fn axis(&self) -> Vector<R> {
-        self.unrounded.axis().map(R::from_number)
+        self.components.axis().map(R::from_component)
     }
 
     /// Unit quaternion [w, x, y, z] from body to fixed coordinates.
@@ -72,7 +72,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn tip(&self) -> Complex<R::Quantity> {
-        let Orientation { alpha, beta } = self.unrounded;
+        let Orientation { alpha, beta } = self.components;
         (alpha * beta).map(R::to_quantity).scaled(self.table.clock.twice_tip_scale)
     }
 
@@ -80,7 +80,7 @@ impl<R: TableScalar> Sample<'_, R> {
     #[inline(always)]
     #[must_use]
     pub fn tip_over_s(&self) -> Complex<R> {
-        self.unrounded.tip_over_s().map(R::from_number)
+        self.components.tip_over_s().map(R::from_component)
     }
 
     /// Angular velocity ω in the fixed frame, rad/s.
@@ -136,9 +136,9 @@ impl<R: TableScalar> Sample<'_, R> {
     fn orientation_and_omega_body(&self) -> (Orientation<R::Quantity>, Vector<R::Quantity>) {
         let Phases { nutation, alpha, beta } = self.phases;
         let LocatedSegment { rows, point, .. } = self.table.segment_at(nutation);
-        let (unrounded, omega_body) =
+        let (components, omega_body) =
             orientation_and_omega_body::<R>(rows, point, [alpha, beta], self.table.clock.rates());
-        (unrounded.map(R::to_quantity), omega_body)
+        (components.map(R::to_quantity), omega_body)
     }
 
     /// Rate r' of the axis in the fixed frame.

@@ -124,7 +124,8 @@ mod tests {
         let top = Top::sliding(&parameters).unwrap();
         let e = BranchPoints::<Extended>::from_roots([e1, e2, e3]).unwrap();
         let signs = Signs { l_plus_n: Sign::Plus, l_minus_n: Sign::Minus };
-        PhaseEquations::with_torque(&top, &e, e.unrounded_integrals(&top, signs).l_plus_n, signs)
+        let integrals = e.extended_integrals(&top, signs);
+        PhaseEquations::new(&top, &e, integrals.l_plus_n, signs, Extended::ZERO)
     }
 
     /// At other points of the segment the series have the rates of the equations, and a the value that the phases
