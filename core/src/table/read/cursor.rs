@@ -24,7 +24,8 @@ use core::marker::PhantomData;
 pub struct Cursor<R> {
     /// Phases of the last tick.
     phases: Phases<WrappedPhase>,
-    /// The last tick is `high + low`. A tick adds to the 32 bits of `low`; `high` changes every 2^32 ticks.
+    /// The last tick is `high + low`. A tick adds to the 32 bits of `low`; `high` changes every 2^32 ticks. With one
+    /// `i64` a tick of q31 takes 24 cycles more on a Cortex-M4F.
     low: u32,
     high: i64,
     scalar: PhantomData<fn() -> R>,
