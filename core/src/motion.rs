@@ -128,13 +128,18 @@ impl Motion {
 
     /// Orientation and its rate at t = 0.
     pub fn attitude_at_launch(&self) -> AttitudeState<f64> {
+        self.attitude_with(self.constant_rates())
+    }
+
+    /// Orientation at t = 0, and its rate with these constant parts of the rates of the slow phases, rad/s.
+    fn attitude_with(&self, constant_rates: [Extended; 2]) -> AttitudeState<f64> {
         let cis_chi = self.cis_chi();
         let PhaseRates { chi, psi_alpha, psi_beta } = if self.is_steady() {
             PhaseRates::ZERO
         } else {
             self.equations().map(Float::to_f64).rates(cis_chi.im, cis_chi.re)
         };
-        let [alpha, beta] = self.constant_rates().map(Float::to_f64);
+        let [alpha, beta] = constant_rates.map(Float::to_f64);
         self.ellipses.attitude_state(cis_chi, self.slow_phases, [chi, psi_alpha + alpha, psi_beta + beta])
     }
 

@@ -25,6 +25,7 @@ pub const METHODS_AGREE_TOWARDS_THE_CORNERS: f64 = 1e-14;
 
 // closed_forms/spinning_bodies_without_torque.rs
 pub const SPINNING_BODIES: f64 = 5e-15;
+pub const SMALL_ANGULAR_MOMENTUM: f64 = 3e-15;
 
 // closed_forms/hyperelliptic_integrals.rs
 pub const HYPERELLIPTIC_R_U: f64 = 5e-15;

@@ -7,16 +7,16 @@
 //! Φ(t) = exp(m t/A) Φ(0) diag(e^{iτt/2}, e^{-iτt/2})
 //! ```
 //!
-//! The formula needs neither branch points nor a table. |m|² = 2A (h - C ⟨ω, r⟩²/2) + n² follows from the energy h.
+//! The formula needs neither branch points nor a table.
 
-use toytop::internal::ExtendedConstants;
+use toytop::internal::{ExtendedConstants, attitude_without_roll};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, Vector, add_scaled, dot, scaled};
-use toytop::{AttitudeState, Complex, FirstIntegrals, Motion, Phase};
+use toytop::{AttitudeState, Complex, Motion, Phase};
 
 /// Motion of a body without torque as a function of time: a free body, or a top with a fixed tip and g = 0.
 ///
-/// Error of an orientation: below 3e-15 rad at any time up to 1e9 periods, if C ⟨ω, r⟩² is below 10¹² |m|²/A.
+/// Error of an orientation: below 3e-15 rad at any time up to 1e9 turns of the body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeBody {
     start: Orientation<f64>,
@@ -36,26 +36,18 @@ impl FreeBody {
         if !motion.top().is_torque_free() {
             return None;
         }
-        let ExtendedConstants { a, integrals, half_tau, half_phase, .. } = motion.into();
-        let top = motion.top();
-        let attitude = motion.attitude_at_launch();
-        let r = attitude.orientation.axis();
-        let omega = attitude.omega();
-        let excess_inertia = top.axial_inertia() - top.transverse_inertia();
-        let excess_momentum = excess_inertia * dot(omega, r) + top.rotor_momentum();
-        let m = add_scaled(scaled(omega, top.transverse_inertia()), r, excess_momentum);
-        let length = Float::sqrt(dot(m, m));
-        let FirstIntegrals { n, h, spin, .. } = *integrals;
-        let spin_energy = (Extended::from(top.axial_inertia()) * spin.squared()).halved();
-        let momentum_squared = (a * (h - spin_energy)).doubled() + n.squared();
+        let ExtendedConstants { torque_free_rate, half_tau, half_phase, .. } = motion.into();
+        let attitude = attitude_without_roll(motion);
+        let m_over_a = attitude.omega();
+        let length = Float::sqrt(dot(m_over_a, m_over_a));
         Some(Self {
             start: attitude.orientation,
             angular_momentum_axis: if length > 0.0 {
-                m.map(|component| component / length)
+                m_over_a.map(|component| component / length)
             } else {
                 [0.0; 3]
             },
-            precession: momentum_squared.sqrt() / a,
+            precession: torque_free_rate.doubled(),
             half_tau,
             nutation: half_phase,
         })

@@ -1,7 +1,7 @@
 //! Orientation of a motion at any time, from α and β of a closed form within a period.
 
 use crate::elliptic::elementary::{ValueAndSlope, angle, rounded, widened};
-use toytop::internal::ExtendedConstants;
+use toytop::internal::{ExtendedConstants, attitude_without_roll};
 use toytop::scalar::{Extended, Float, Ring};
 use toytop::su2::{Orientation, OrientationRate};
 use toytop::{AttitudeState, Complex, Motion, Phase};
@@ -23,20 +23,17 @@ impl ArgumentOffsets {
     /// The derivatives count too, so that the argument is well defined also where a parameter is 0 at t = 0.
     pub(super) fn new(motion: &Motion, [alpha, beta]: [ValueAndSlope; 2]) -> Self {
         let ExtendedConstants { a, p, g, half_tau, .. } = motion.into();
-        let AttitudeState { orientation, rate } = motion.attitude_at_launch();
-        // squares of the greatest rates of the motion: of its rotation and of its nutation
+        let AttitudeState { orientation, rate } = attitude_without_roll(motion);
+        // squares of the greatest rates of this motion: of its rotation and of its nutation
         let rotation = rate.alpha.norm_squared() + rate.beta.norm_squared();
         let time_squared = Extended::ONE / (p * g / a + rotation.into());
-        let offset = |z: Complex<f64>, z_rate: Complex<f64>, tau: Extended, closed: ValueAndSlope| {
+        let offset = |z: Complex<f64>, z_rate: Complex<f64>, closed: ValueAndSlope| {
             let [z, z_rate] = [z, z_rate].map(widened);
-            let slope = z_rate - z.times_i().scaled(tau);
-            let sum = z * closed.value.conj() + (slope * closed.slope.conj()).scaled(time_squared);
+            let sum = z * closed.value.conj() + (z_rate * closed.slope.conj()).scaled(time_squared);
             angle(sum.im, sum.re).radians_to_turns().to_phase()
         };
-        let angles = [
-            offset(orientation.alpha, rate.alpha, half_tau, alpha),
-            offset(orientation.beta, rate.beta, -half_tau, beta),
-        ];
+        let angles =
+            [offset(orientation.alpha, rate.alpha, alpha), offset(orientation.beta, rate.beta, beta)];
         Self { angles, half_tau }
     }
 

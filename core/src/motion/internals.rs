@@ -5,6 +5,7 @@ use crate::constants::{BranchPoints, FirstIntegrals};
 use crate::motion::Motion;
 use crate::phase::Phase;
 use crate::scalar::Extended;
+use crate::su2::AttitudeState;
 
 /// Constants of a motion in extended precision.
 pub struct ExtendedConstants<'a> {
@@ -26,6 +27,8 @@ pub struct ExtendedConstants<'a> {
     pub half_phase: Option<Phase>,
     /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
     pub aperiodic_v: Option<f64>,
+    /// Rate χ' = |m|/(2A) without torque, rad/s; otherwise 0.
+    pub torque_free_rate: Extended,
 }
 
 impl<'a> From<&'a Motion> for ExtendedConstants<'a> {
@@ -41,6 +44,7 @@ impl<'a> From<&'a Motion> for ExtendedConstants<'a> {
             half_tau: motion.half_tau,
             half_phase: motion.half_phase,
             aperiodic_v: motion.aperiodic_v(),
+            torque_free_rate: motion.torque_free_rate,
         }
     }
 }
@@ -52,4 +56,11 @@ pub fn period_and_rotations(motion: &Motion) -> Option<(Extended, [Phase; 2])> {
     let period = motion.period::<Extended>(&motion.equations(), &mut || {})?;
     let rotations = period.rotations(motion.half_tau).map(|angle| angle.radians_to_turns().to_phase());
     Some((period.time, rotations))
+}
+
+/// Orientation at t = 0, and its rate without the rotation τ about the axis. Without torque the angular velocity is m/A. τ, which may
+/// be far larger, is left out rather than subtracted, because a rounded rate with τ has lost the digits of the rest.
+pub fn attitude_without_roll(motion: &Motion) -> AttitudeState<f64> {
+    let [alpha, beta] = motion.constant_rates();
+    motion.attitude_with([alpha - motion.half_tau, beta + motion.half_tau])
 }

@@ -1,7 +1,8 @@
-//! Bodies without torque that spin about their axis are compared with the rotation about this axis.
+//! Bodies without torque that spin about their axis are compared with the rotation about this axis, and closed forms of small angular
+//! momentum with tables.
 
 use fixed::types::{I2F14, I2F30};
-use toytop::{Motion, Orientation, Release, State, Stepper, TableScalar, Top, TopParameters};
+use toytop::{Motion, Orientation, Release, State, Stepper, TableScalar, Tick, Top, TopParameters};
 use toytop_closed_forms::ClosedForm;
 use toytop_tests::{check, greater, kilohertz, table_of, tolerance, widened, worst};
 
@@ -63,4 +64,36 @@ fn a_spinning_body_without_torque_is_right_or_refused() {
         }
     }
     check("spinning body", greatest, tolerance::SPINNING_BODIES);
+}
+
+/// Closed form of a free body whose angular momentum |m| is far below A ⟨ω, r⟩, because C is small or because a rotor cancels C ⟨ω, r⟩,
+/// against the table.
+#[test]
+fn a_small_angular_momentum_keeps_its_direction() {
+    let mut greatest = 0.0;
+    for (c, rotor_share) in [(1.0, 1.0), (0.3, 1.0), (1e-3, 1.0), (1e-6, 0.0), (1e-12, 0.0)] {
+        for rate in [1.0, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10] {
+            let top = Top::free(&TopParameters {
+                transverse_inertia: 1.0,
+                axial_inertia: c,
+                mass_moment: 1.0,
+                gravity: 0.0,
+                rotor_momentum: -rotor_share * c * (1.0 + 0.3 * rate),
+                ..TopParameters::default()
+            })
+            .unwrap();
+            let [precession, nutation] = [0.37, 0.11].map(|x| x * rate);
+            let release = Release { tilt: 0.7, azimuth: 0.4, roll: 0.2, spin: 1.0, precession, nutation };
+            let motion = Motion::launch(&top, &State::from_release(&release).unwrap()).unwrap();
+            let form = ClosedForm::from_motion(&motion).unwrap();
+            // slow ticks, because the error of the table grows with their number
+            let table = table_of::<f64, 128>(&motion, Tick::hertz(1).unwrap());
+            let period = motion.period_advance().unwrap().period;
+            for t in (0..40_u8).map(|i| (f64::from(i) * 0.171 * period).round()) {
+                let apart = form.at(t).orientation.distance(&table.at(t).orientation());
+                greatest = greater(greatest, apart);
+            }
+        }
+    }
+    check("small angular momentum", greatest, tolerance::SMALL_ANGULAR_MOMENTUM);
 }
