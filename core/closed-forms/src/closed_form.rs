@@ -1,12 +1,11 @@
 //! Closed form of a motion, of whichever kind applies.
 
 use crate::aperiodic::Aperiodic;
-use crate::e3_equals_e4::{E3EqualsE4, e3_minus_e4};
+use crate::elliptic_nutation::{EllipticNutation, e3_minus_e4};
 use crate::free_body::FreeBody;
-use crate::lagrange::Lagrange;
 use crate::precession::RegularPrecession;
 use core::fmt;
-use toytop::{AttitudeState, Motion, Phase};
+use toytop::{AttitudeState, Motion, Phase, Support};
 
 /// Motion that elementary or elliptic functions express.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,9 +18,9 @@ pub enum ClosedForm {
     /// Weierstrass functions for a sliding tip, elementary functions for a fixed one: e₂ = e₃ = 1.
     Aperiodic(Aperiodic),
     /// Weierstrass functions: e₃ = e₄.
-    E3EqualsE4(E3EqualsE4),
+    E3EqualsE4(EllipticNutation),
     /// Weierstrass functions: the tip is fixed.
-    Lagrange(Lagrange),
+    Lagrange(EllipticNutation),
 }
 
 /// Error of [`ClosedForm::from_motion`]: the motion needs hyperelliptic functions.
@@ -55,12 +54,13 @@ impl ClosedForm {
     /// # Errors
     /// [`NoClosedForm`]: the motion is a nutating toy top with e₃ ≠ e₄.
     pub fn from_motion(motion: &Motion) -> Result<Self, NoClosedForm> {
+        let is_sliding = motion.top().support() == Support::Sliding;
+        let elliptic = if is_sliding { Self::E3EqualsE4 } else { Self::Lagrange };
         FreeBody::new(motion)
             .map(Self::FreeBody)
             .or_else(|| RegularPrecession::new(motion).map(Self::RegularPrecession))
             .or_else(|| Aperiodic::new(motion).map(Self::Aperiodic))
-            .or_else(|| Lagrange::new(motion).map(Self::Lagrange))
-            .or_else(|| E3EqualsE4::new(motion).map(Self::E3EqualsE4))
+            .or_else(|| EllipticNutation::new(motion).map(elliptic))
             .ok_or_else(|| NoClosedForm {
                 e3: motion.branch_points().e3,
                 e4: motion.top().e4().unwrap_or(f64::INFINITY),
@@ -75,8 +75,7 @@ impl ClosedForm {
             Self::FreeBody(form) => form.at(t),
             Self::RegularPrecession(form) => form.at(t),
             Self::Aperiodic(form) => form.at(t),
-            Self::E3EqualsE4(form) => form.at(t),
-            Self::Lagrange(form) => form.at(t),
+            Self::E3EqualsE4(form) | Self::Lagrange(form) => form.at(t),
         }
     }
 
@@ -86,8 +85,7 @@ impl ClosedForm {
         match self {
             Self::FreeBody(form) => form.nutation_phase(t),
             Self::RegularPrecession(_) | Self::Aperiodic(_) => None,
-            Self::E3EqualsE4(form) => Some(form.nutation_phase(t)),
-            Self::Lagrange(form) => Some(form.nutation_phase(t)),
+            Self::E3EqualsE4(form) | Self::Lagrange(form) => Some(form.nutation_phase(t)),
         }
     }
 }

@@ -18,9 +18,7 @@ mod precession;
 
 mod aperiodic;
 
-mod e3_equals_e4;
-
-mod lagrange;
+mod elliptic_nutation;
 
 mod closed_form;
 
@@ -33,7 +31,6 @@ pub mod errata {}
 
 pub use aperiodic::Aperiodic;
 pub use closed_form::{ClosedForm, NoClosedForm};
-pub use e3_equals_e4::E3EqualsE4;
+pub use elliptic_nutation::EllipticNutation;
 pub use free_body::FreeBody;
-pub use lagrange::Lagrange;
 pub use precession::{RegularPrecession, Stability, SteadyPrecession};

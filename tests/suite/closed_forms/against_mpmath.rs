@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 use toytop::{InitialAngles, Motion, Sign, Signs, Tick};
-use toytop_closed_forms::{ClosedForm, E3EqualsE4};
+use toytop_closed_forms::{ClosedForm, EllipticNutation};
 use toytop_tests::vectors::{self, entries, number, orientation, triple};
 use toytop_tests::{DIFFERENT, SAME, check, greater, table_of, tolerance, top_of};
 
@@ -79,7 +79,7 @@ fn the_error_of_nearly_equal_e3_and_e4_is_bounded() {
             let start = InitialAngles { theta: 0.9, arg_alpha: 0.7, arg_beta: -2.1 };
             let top = top_of([a, 0.8 * a, 1.0, 1.0], 1.0);
             let motion = Motion::from_branch_points(&top, [e1, e2, e4], signs, &start).unwrap();
-            let form = E3EqualsE4::new(&motion).unwrap();
+            let form = EllipticNutation::new(&motion).unwrap();
             let table = table_of::<f64, 1024>(&motion, Tick::hertz(1 << 20).unwrap());
             for periods in [1e3, 1e6] {
                 let t = periods * form.period();

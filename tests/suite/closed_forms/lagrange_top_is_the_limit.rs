@@ -1,7 +1,7 @@
 //! Section 5.4: toy tops with ever larger e₄ are compared with the Lagrange top, their limit.
 
 use toytop::{InitialAngles, Motion, Signs, SizedTable};
-use toytop_closed_forms::Lagrange;
+use toytop_closed_forms::EllipticNutation;
 use toytop_tests::{DIFFERENT, SAME, kilohertz, top_of};
 
 const A_OVER_P: f64 = 1.1 / 0.9;
@@ -18,7 +18,7 @@ fn motion(s: f64, signs: Signs) -> Motion {
 #[test]
 fn toy_tops_tend_to_it_like_the_inverse_square_of_e4() {
     for signs in [SAME, DIFFERENT] {
-        let exact = Lagrange::new(&motion(0.0, signs)).unwrap();
+        let exact = EllipticNutation::new(&motion(0.0, signs)).unwrap();
         let at = 5.3;
         let scaled = [1e2, 1e3, 1e4].map(|e4| {
             // e₄² = 1 + A/(ps)
