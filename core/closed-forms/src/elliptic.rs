@@ -6,7 +6,7 @@
 
 pub(crate) mod elementary;
 
-pub(crate) mod agm;
+pub(crate) mod carlson;
 
 pub(crate) mod theta;
 
@@ -16,6 +16,6 @@ mod jacobi;
 
 mod weierstrass;
 
-pub use agm::{agm, carlson_rf};
+pub use carlson::{agm, carlson_rf};
 pub use jacobi::{Jacobi, JacobiValues};
 pub use weierstrass::Weierstrass;

@@ -1,6 +1,6 @@
 //! Cayley-Klein parameters of the elliptic cases, as quotients of theta functions, their zeros, and the elliptic integral of χ.
 
-use crate::elliptic::agm::{carlson_rf, first_kind};
+use crate::elliptic::carlson::{carlson_rf, first_kind};
 use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, complex_exp, quotient};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use toytop::internal::exact_sine_cosine;

@@ -16,7 +16,7 @@
 //! full relative precision for any 1 - u.
 
 use crate::aperiodic::constants::{AperiodicConstants, AperiodicValues};
-use crate::elliptic::agm::{first_kind, first_kind_per_length};
+use crate::elliptic::carlson::{first_kind, first_kind_per_length};
 use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, cis, imaginary, ln, real};
 use crate::elliptic::lattice::{Lattice, LatticeHalfPeriod};
 use crate::theta_quotient::ThetaQuotient;

@@ -1,6 +1,6 @@
 //! Weierstrass's functions on rectangular lattices in extended precision.
 
-use crate::elliptic::agm::agm;
+use crate::elliptic::carlson::carlson_rf;
 use crate::elliptic::elementary::{
     ValueAndSlope, WideComplex, complex_exp, complex_ln, exp, half_pi, imaginary, quotient, real,
 };
@@ -47,9 +47,9 @@ impl LatticeHalfPeriod {
 impl Lattice {
     /// Lattice from the differences of the roots, e₁ - e₂ and e₂ - e₃, both > 0.
     pub(crate) fn from_gaps(upper_gap: Extended, lower_gap: Extended) -> Self {
-        let [whole, upper, lower] = [upper_gap + lower_gap, upper_gap, lower_gap].map(Float::sqrt);
-        // ω = K(m)/√(e₁ - e₃) = π/2 / agm(√(e₁ - e₃), √(e₁ - e₂)), and |ω'| likewise with e₂ - e₃
-        let [real_half, imaginary_half] = [upper, lower].map(|other| half_pi() / agm(whole, other));
+        // ω = R_F(0, e₁ - e₂, e₁ - e₃), and |ω'| likewise with e₂ - e₃
+        let [real_half, imaginary_half] =
+            [upper_gap, lower_gap].map(|gap| carlson_rf(Extended::ZERO, gap, upper_gap + lower_gap));
         let third = |x: Extended| x / 3.0.into();
         let roots = [
             third(upper_gap.doubled() + lower_gap),

@@ -1,37 +1,6 @@
-//! Arithmetic-geometric mean, and Carlson's symmetric integral of the first kind.
+//! Carlson's symmetric integral of the first kind, and the arithmetic-geometric mean.
 
 use toytop::scalar::Float;
-
-/// Arithmetic-geometric mean of x and y: the common limit of their arithmetic and geometric means, for x, y > 0; 0
-/// where one of them is 0.
-///
-/// Relative error: a few roundings of the number type, also in extended precision. Convergence is quadratic: seven steps
-/// at y/x = 1e-16, eleven at 1e-300.
-///
-/// ```
-/// let quarter_period = core::f64::consts::FRAC_PI_2 / toytop_closed_forms::elliptic::agm(1.0, 0.5_f64.sqrt()); // K at m = 1/2
-/// assert!((quarter_period - 1.854_074_677_301_372).abs() < 1e-15);
-/// ```
-#[must_use]
-pub fn agm<F: Float>(x: F, y: F) -> F {
-    const MAX_STEPS: usize = 24;
-    if x <= F::ZERO || y <= F::ZERO {
-        return F::ZERO;
-    }
-    let mut arithmetic = x;
-    let mut geometric = y;
-    for _ in 0..MAX_STEPS {
-        let gap = (arithmetic - geometric).abs();
-        // √(xy) as a product of roots, because the product xy could overflow or underflow
-        let root = arithmetic.sqrt() * geometric.sqrt();
-        (arithmetic, geometric) = ((arithmetic + geometric).halved(), root);
-        // the remaining error is a quarter of the square of the relative difference
-        if gap <= arithmetic * F::from_f64(1e-17) {
-            break;
-        }
-    }
-    arithmetic
-}
 
 /// Carlson's R_F(x, y, z) = ½ ∫₀^∞ dt / √((t + x)(t + y)(t + z)), for x, y, z >= 0 of which at most one is 0; other arguments
 /// give an undefined number.
@@ -86,6 +55,27 @@ pub(crate) fn first_kind_per_length<F: Float>(upper: [F; 3], lower: [F; 3]) -> F
     carlson_rf(u * u, v * v, w * w)
 }
 
+/// Arithmetic-geometric mean of x and y: the common limit of their arithmetic and geometric means, for x, y > 0; 0
+/// where one of them is 0.
+///
+/// Relative error: a few roundings of the number type, also in extended precision. Cost: two values of [`carlson_rf`].
+///
+/// ```
+/// let quarter_period = core::f64::consts::FRAC_PI_2 / toytop_closed_forms::elliptic::agm(1.0, 0.5_f64.sqrt()); // K at m = 1/2
+/// assert!((quarter_period - 1.854_074_677_301_372).abs() < 1e-15);
+/// ```
+#[must_use]
+pub fn agm<F: Float>(x: F, y: F) -> F {
+    if x <= F::ZERO || y <= F::ZERO {
+        return F::ZERO;
+    }
+    // R_F(0, x², y²) = π/2 / agm(x, y); x² and y² could overflow, but not the quotients of the means after one step
+    let [arithmetic, geometric] = [(x + y).halved(), x.sqrt() * y.sqrt()];
+    let [half_pi, of_means] = [[F::ONE; 2], [arithmetic / geometric, geometric / arithmetic]]
+        .map(|[x, y]| carlson_rf(F::ZERO, x, y));
+    arithmetic.sqrt() * geometric.sqrt() * half_pi / of_means
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -100,6 +90,10 @@ mod tests {
         assert!((mean - truth).abs().to_f64() < 1e-30, "{:e}", (mean - truth).to_f64());
         assert_eq!(agm(0.0, 1.0), 0.0);
         assert!((agm(1e200, 1e-200) / agm(1e-200, 1e200) - 1.0).abs() < 1e-15);
+        // π/2 / ln(4x/y) for x far above y
+        let far_apart =
+            1e200 * core::f64::consts::FRAC_PI_2 / (4_f64.ln() + 400.0 * core::f64::consts::LN_10);
+        assert!((agm(1e200, 1e-200) / far_apart - 1.0).abs() < 1e-15);
     }
 
     #[test]
