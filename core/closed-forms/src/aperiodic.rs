@@ -12,12 +12,15 @@
 
 mod constants;
 
+mod fixed_tip;
+
 mod sliding;
 
 use crate::elliptic::elementary::{ValueAndSlope, rounded};
 use crate::inverse::solve_increasing;
 use crate::orientation::ArgumentOffsets;
-use constants::{AperiodicConstants, AperiodicValues, FixedTip};
+use constants::{AperiodicConstants, AperiodicValues};
+use fixed_tip::FixedTip;
 use sliding::Sliding;
 use toytop::internal::ExtendedConstants;
 use toytop::scalar::{Extended, Float, Ring};

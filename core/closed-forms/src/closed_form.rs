@@ -3,7 +3,7 @@
 use crate::aperiodic::Aperiodic;
 use crate::elliptic_nutation::{EllipticNutation, e3_minus_e4};
 use crate::free_body::FreeBody;
-use crate::precession::RegularPrecession;
+use crate::regular_precession::RegularPrecession;
 use core::fmt;
 use toytop::{AttitudeState, Motion, Phase, Support};
 

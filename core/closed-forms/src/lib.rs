@@ -14,13 +14,16 @@ mod orientation;
 // Solutions, one for each kind of motion that has one.
 mod free_body;
 
-mod precession;
+mod regular_precession;
 
 mod aperiodic;
 
 mod elliptic_nutation;
 
 mod closed_form;
+
+// Rates at which a given tilt is constant.
+mod steady_precession;
 
 #[cfg(doc)]
 #[doc = include_str!("../docs/paper.md")]
@@ -33,4 +36,5 @@ pub use aperiodic::Aperiodic;
 pub use closed_form::{ClosedForm, NoClosedForm};
 pub use elliptic_nutation::EllipticNutation;
 pub use free_body::FreeBody;
-pub use precession::{RegularPrecession, Stability, SteadyPrecession};
+pub use regular_precession::{RegularPrecession, Stability};
+pub use steady_precession::SteadyPrecession;

@@ -1,14 +1,7 @@
-//! Aperiodic motion in elementary functions: u, |β| and dt/dv as functions of v, for either support. For a fixed tip also α, with
-//! t = v √(2A/(p g (1 - e₁))):
-//!
-//! ```text
-//! α = (√((1+e₁)/2) sech v + i s₊ tanh v) e^{iψ},   b² = (1 - e₁)/2,
-//! ψ = s₊ (√(1 - b²)/b v - 2 arctan(√((1-b)/(1+b)) tanh(v/2)))
-//! ```
+//! Aperiodic motion in elementary functions for either support: u, |β| and dt/dv as functions of v.
 
-use crate::elliptic::elementary::{ValueAndSlope, WideComplex, angle, cis, real, tanh_sech};
+use crate::elliptic::elementary::{ValueAndSlope, real, tanh_sech};
 use toytop::scalar::{Extended, Float, Ring};
-use toytop::{Complex, Sign};
 
 /// Constants of u(v), |β| and dt/dv.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,45 +59,5 @@ impl AperiodicConstants {
     pub(super) fn beta(&self, point: &AperiodicValues) -> ValueAndSlope {
         let value = self.one_minus_e1.halved().sqrt() * point.sech;
         ValueAndSlope { value: real(value), slope: real(-(value * point.tanh / point.dt_dv)) }
-    }
-}
-
-/// Solution for a fixed tip.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct FixedTip {
-    /// Moduli √((1 ± e₁)/2) of α and β at the lowest point.
-    lowest: [Extended; 2],
-    sign: Sign,
-}
-
-impl FixedTip {
-    pub(super) fn new(constants: &AperiodicConstants, sign: Sign) -> Self {
-        Self { lowest: [constants.one_plus_e1, constants.one_minus_e1].map(|x| x.halved().sqrt()), sign }
-    }
-
-    fn psi(&self, point: &AperiodicValues) -> Extended {
-        let [a, b] = self.lowest;
-        // (1 - b)/(1 + b) = a²/(1 + b)²
-        let (half, ..) = tanh_sech(point.v.halved());
-        self.sign.times(a / b * point.v - angle(a * half, Extended::ONE + b).doubled())
-    }
-
-    /// Argument of α minus that at u = e₁; 0 for e₁ = -1.
-    pub(super) fn argument(&self, point: &AperiodicValues) -> Extended {
-        let [a, _] = self.lowest;
-        self.psi(point) + angle(a * self.sign.times(point.tanh), a * a * point.sech)
-    }
-
-    pub(super) fn alpha(&self, point: &AperiodicValues) -> ValueAndSlope {
-        let [a, b] = self.lowest;
-        let AperiodicValues { tanh, sech, dt_dv, .. } = *point;
-        let one = Extended::ONE;
-        // dψ/dv = s₊ a/b / (1 + b sech v)
-        let psi_slope = self.sign.times(a / b / (one + b * sech));
-        let ellipse: WideComplex = Complex::new(a * sech, self.sign.times(tanh));
-        let ellipse_slope = Complex::new(-(a * sech * tanh), self.sign.times(sech.squared()));
-        let factor = cis(self.psi(point));
-        let slope = (ellipse_slope + ellipse.times_i().scaled(psi_slope)) * factor;
-        ValueAndSlope { value: ellipse * factor, slope: slope.scaled(one / dt_dv) }
     }
 }

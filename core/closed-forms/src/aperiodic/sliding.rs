@@ -12,6 +12,8 @@
 //! x runs from 0 along the negative imaginary axis to b, where L is infinite and u = 1. The paper prints the opposite
 //! sign of p, ζ(a + b) + ζ(a - b) in l, and ζ(ω₃) - ζ(b - ω₃) in t.
 //!
+//! In the code x = -iy with a real y, so that the coefficients of t, L and arg α are real; w₊₁ is i times `w_plus`.
+//!
 //! The branch of L is real on the whole path. Its term ln(b - x) is computed from ln(1 - u), a function of v with
 //! full relative precision for any 1 - u.
 
@@ -29,14 +31,14 @@ pub(super) struct Sliding {
     lowest: [Extended; 3],
     upright: [Extended; 3],
     /// Modulus |b|; b = -i|b|.
-    b: Extended,
+    b_modulus: Extended,
     /// Time √(2s/g).
     time_scale: Extended,
     /// Coefficients in t of y = ix and of L.
     time_factors: [Extended; 2],
     alpha: ThetaQuotient,
     /// Real number ip.
-    log_power: Extended,
+    i_times_p: Extended,
 }
 
 /// Position of x on its path.
@@ -57,49 +59,49 @@ impl Sliding {
         let a_over_ps = a_over_p / s;
         let e4 = (one + a_over_ps).sqrt();
         let e4_minus_one = a_over_ps / (e4 + one);
-        let below = one_minus_e1 + e4_minus_one;
-        let above = one_plus_e1 + e4_minus_one; // e₄ ∓ e₁
-        let lattice = Lattice::from_gaps(below, above);
+        let e4_minus_e1 = one_minus_e1 + e4_minus_one;
+        let e4_plus_e1 = one_plus_e1 + e4_minus_one;
+        let lattice = Lattice::from_gaps(e4_minus_e1, e4_plus_e1);
         let [real_half, imaginary_half] = lattice.half_periods;
-        let lowest = [zero, below, above];
+        let lowest = [zero, e4_minus_e1, e4_plus_e1];
         let upright = [one_minus_e1, e4_minus_one, e4 + one];
-        let b = first_kind(one_minus_e1, upright, lowest).halved();
-        let to_minus_one = first_kind(one_plus_e1, lowest, [one_plus_e1, e4 + one, e4_minus_one]).halved();
-        let b_point = imaginary(-b);
+        let b_modulus = first_kind(one_minus_e1, upright, lowest).halved();
+        let a_modulus = first_kind(one_plus_e1, lowest, [one_plus_e1, e4 + one, e4_minus_one]).halved();
+        let b = imaginary(-b_modulus);
 
         let time_scale = (s.doubled() / g).sqrt();
         let w_minus = -(time_scale * a_over_ps * l_per_a);
         // w₊₁ = i |w₊₁| at b = -i|b|
         let w_plus = (one_minus_e1 * a_over_ps).sqrt().doubled();
-        let middle = Complex::new(real_half, imaginary_half);
-        let slope = lattice.p_prime(real(to_minus_one) - middle).re;
-        let a = real(if slope * w_minus < zero { -to_minus_one } else { to_minus_one });
+        let omega_3 = Complex::new(real_half, imaginary_half);
+        let p_prime_at_a = lattice.p_prime(real(a_modulus) - omega_3).re;
+        let a = real(if p_prime_at_a * w_minus < zero { -a_modulus } else { a_modulus });
 
-        let log_power = (w_minus / w_plus).halved();
-        let p = imaginary(-log_power);
+        let i_times_p = (w_minus / w_plus).halved();
+        let p = imaginary(-i_times_p);
         let rate_offset = real(w_minus.halved().halved() + w_minus / a_over_ps)
-            - p * (lattice.log_slope(LatticeHalfPeriod::Origin, a + b_point)
-                - lattice.log_slope(LatticeHalfPeriod::Origin, a - b_point));
+            - p * (lattice.log_slope(LatticeHalfPeriod::Origin, a + b)
+                - lattice.log_slope(LatticeHalfPeriod::Origin, a - b));
         let alpha = ThetaQuotient::through(
             &lattice,
             [LatticeHalfPeriod::Origin, LatticeHalfPeriod::Sum],
             a,
             rate_offset,
-            (b_point, one),
+            (b, one),
         );
 
         let log_coefficient = -(a_over_ps / w_plus);
-        let zetas = lattice.log_slope(LatticeHalfPeriod::Sum, b_point).im;
+        let zetas = lattice.log_slope(LatticeHalfPeriod::Sum, b).im;
         let y_coefficient =
             one + e1 / 3.0.into() - lattice.sigma_exponent.doubled() + log_coefficient.doubled() * zetas;
         Self {
             lowest,
             upright,
-            b,
+            b_modulus,
             time_scale,
             time_factors: [y_coefficient, log_coefficient],
             alpha,
-            log_power,
+            i_times_p,
         }
     }
 
@@ -134,7 +136,7 @@ impl Sliding {
         let &PathPosition { y, distance_per_one_minus_u } = position;
         let [one_minus_e1, ..] = self.upright;
         let (near, near_slope) = self.near(distance_per_one_minus_u * point.one_minus_u);
-        let far = self.alpha.lattice.theta(LatticeHalfPeriod::Origin, imaginary(-(y.abs() + self.b)));
+        let far = self.alpha.lattice.theta(LatticeHalfPeriod::Origin, imaginary(-(y.abs() + self.b_modulus)));
         let log_ratio = ln(distance_per_one_minus_u * near / far.value.modulus());
         let log = ln(one_minus_e1) + point.ln_sech.doubled() + log_ratio;
         // (1 - u)/(x - b) · (x - b) ϑ'(x - b)/ϑ(x - b)
@@ -157,7 +159,7 @@ impl Sliding {
         let [here, lowest] = [x, Complex::ZERO]
             .map(|x| self.alpha.lattice.theta(LatticeHalfPeriod::Origin, x - self.alpha.zero).value);
         let ratio = here * lowest.conj();
-        let log = self.log_power * self.log(point, &position).0;
+        let log = self.i_times_p * self.log(point, &position).0;
         (self.alpha.rate * x).im + angle(ratio.im, ratio.re) + log
     }
 
@@ -168,8 +170,8 @@ impl Sliding {
         let [_, from_e4, to_e4] = self.factors(point);
         let speed = imaginary(-(Extended::ONE / (self.time_scale * from_e4 * to_e4)));
         let (log, log_slope) = self.log(point, &position);
-        let factor = cis(self.log_power * log);
-        let log_rate = imaginary(self.log_power) * log_slope * speed;
+        let factor = cis(self.i_times_p * log);
+        let log_rate = imaginary(self.i_times_p) * log_slope * speed;
         ValueAndSlope {
             value: value * factor,
             slope: (slope * speed.scaled(point.one_minus_u) + value * log_rate) * factor,
