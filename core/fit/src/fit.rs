@@ -115,8 +115,10 @@ impl<'a, F: Real> Fit<'a, F> {
         let solver = &mut self.solver;
         let block = Block::new(self.sensors, measurements)?;
         solver.reset_prior();
-        let (warning, other_launch_count) = solver.find(&block);
-        let mut fitted = Fitted::new(solver, block.times, warning, other_launch_count);
+        let found = solver.search(&block);
+        let warning = found.map_or_else(Some, |_| solver.converge_and_check(&block));
+        let mut fitted = Fitted::new(solver, block.times, warning);
+        fitted.other_launch_count = found.unwrap_or(0);
         if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotConverged)) {
             let cause = solver.diagnose_misfit(&block, fitted.statistics.chi_squared);
             fitted.warning = cause.or(fitted.warning);
@@ -137,8 +139,8 @@ impl<'a, F: Real> Fit<'a, F> {
         let block = Block::new(self.sensors, measurements)?;
         solver.reset_prior();
         solver.start_from(&guess);
-        let warning = solver.converge_on_all(&block);
-        Ok(Fitted::new(solver, block.times, warning, 0))
+        let warning = solver.converge_and_check(&block);
+        Ok(Fitted::new(solver, block.times, warning))
     }
 
     /// Fits the next block of measurements from the fit of the last one, which is propagated to it with its covariance.
@@ -190,7 +192,7 @@ impl<'a, F: Real> Fit<'a, F> {
         solver.start_from(&predicted);
         let converged = solver.converge(&block, usize::MAX);
         let warning = solver.warning(converged);
-        let fitted = Fitted::new(solver, block.times, warning, 0);
+        let fitted = Fitted::new(solver, block.times, warning);
         let turn = solver.best.estimate.orientation.compose(&predicted.orientation.inverse());
         let span = fitted.launch_time - last.launch_time;
         let drift_rates = solver.model.mean_rates([&last.launch, &fitted.launch], span);

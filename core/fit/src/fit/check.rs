@@ -12,16 +12,8 @@ use crate::vector::{Vector, cross, dot, scaled};
 use toytop::scalar::Real;
 
 impl<F: Real> Solver<F> {
-    /// Searches for a launch, and checks it. Returns the reason not to trust the estimate, and the number of other launches that fit as well.
-    pub(super) fn find(&mut self, block: &Block<F, impl Measurements>) -> (Option<FitWarning>, usize) {
-        match self.search(block) {
-            Ok(other_launch_count) => (self.converge_on_all(block), other_launch_count),
-            Err(warning) => (Some(warning), 0),
-        }
-    }
-
     /// Passes over all measurements. Returns the reason not to trust the estimate.
-    pub(super) fn converge_on_all(&mut self, block: &Block<F, impl Measurements>) -> Option<FitWarning> {
+    pub(super) fn converge_and_check(&mut self, block: &Block<F, impl Measurements>) -> Option<FitWarning> {
         let converged = self.converge(block, usize::MAX);
         let launch = &self.best.estimate;
         let found = dot(launch.omega, launch.orientation.axis());
@@ -76,7 +68,8 @@ impl<F: Real> Solver<F> {
         block: &Block<F, impl Measurements>,
         chi_squared: f64,
     ) -> Option<FitWarning> {
-        let (warning, _) = self.find(&block.in_degrees());
+        let in_degrees = block.in_degrees();
+        let warning = self.search(&in_degrees).map_or_else(Some, |_| self.converge_and_check(&in_degrees));
         // smaller numbers have smaller residuals, whatever the motion is
         let statistics = &self.best.statistics;
         let has_noise = statistics.chi_squared > MIN_NOISE * f64::from(statistics.used);

@@ -6,7 +6,7 @@ use crate::fit::solver::Solver;
 use crate::fit::statistics::Statistics;
 use crate::fit::warning::FitWarning;
 use crate::model::{Model, propagated};
-use crate::sensitivity::{COLUMNS, Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity};
+use crate::sensitivity::{Equations, LAUNCH_COLUMNS, LOSS_COUNT, Partials, Sensitivity};
 use crate::square_root::{MAX_UNKNOWNS, SquareRoot, inner};
 use crate::vector::{UP, Vector, add_all, add_scaled, cross, scaled};
 use toytop::scalar::Real;
@@ -79,7 +79,6 @@ impl Fitted {
         solver: &mut Solver<F>,
         [first, last]: [f64; 2],
         warning: Option<FitWarning>,
-        other_launch_count: usize,
     ) -> Self {
         let mut fitted = Self {
             launch_time: first,
@@ -87,7 +86,7 @@ impl Fitted {
             statistics: solver.best.statistics,
             unobservable: Unobservable::default(),
             warning,
-            other_launch_count,
+            other_launch_count: 0,
             unknown_count: solver.model.count,
             model: solver.model,
             drift: None,
@@ -163,7 +162,12 @@ impl Fitted {
     /// Covariance of the rotation vector of a predicted orientation.
     #[must_use]
     pub fn orientation_covariance(&self, at: &Partials) -> [Vector<f64>; 3] {
-        self.covariance_of(&self.columns(&at.d_orientation()))
+        let columns = at.d_orientation();
+        let (by_launch, by_ratios) = columns.split_at(LAUNCH_COLUMNS);
+        let shares = self.model.ratio_derivatives(&self.launch);
+        let free = shares.map(|shares| add_all([0.0; 3], by_ratios.iter().copied().zip(shares)));
+        let mut columns = by_launch.iter().copied().chain(free);
+        self.covariance_of(&core::array::from_fn(|_| columns.next().unwrap_or([0.0; 3])))
     }
 
     /// Covariance of a vector with these derivatives with respect to the unknowns.
@@ -174,15 +178,6 @@ impl Fitted {
             covariance.iter_mut().zip(error).for_each(|(line, x)| *line = add_scaled(*line, error, x));
         }
         covariance
-    }
-
-    /// Derivatives with respect to the unknowns, from derivatives with respect to the launch and the ratios.
-    fn columns(&self, by: &[Vector<f64>; COLUMNS]) -> [Vector<f64>; MAX_UNKNOWNS] {
-        let (by_launch, by_ratios) = by.split_at(LAUNCH_COLUMNS);
-        let shares = self.model.ratio_derivatives(&self.launch);
-        let free = shares.map(|shares| add_all([0.0; 3], by_ratios.iter().copied().zip(shares)));
-        let mut columns = by_launch.iter().copied().chain(free);
-        core::array::from_fn(|_| columns.next().unwrap_or([0.0; 3]))
     }
 
     /// Moves the launch to the last measurement, and adds the drift. `None` where the motion cannot be followed.
