@@ -138,9 +138,9 @@ impl Model {
         }
         let mut changes = by.map(|by| Coefficients { k_over_a: 0.0, ..coefficients.times(by) });
         coefficients.losses = self.losses_of(estimate);
-        let columns = changes.iter_mut().skip(self.free_count).zip(self.losses());
-        columns.zip(UNITS).for_each(|((change, _), unit)| change.losses = unit);
-        Equations { coefficients, changes, columns: self.motion_count }
+        let by_losses = changes.iter_mut().skip(self.free_count).zip(self.losses());
+        by_losses.zip(UNITS).for_each(|((change, _), unit)| change.losses = unit);
+        Equations { coefficients, changes, column_count: self.motion_count }
     }
 
     /// Trajectory of an estimate for a pass.

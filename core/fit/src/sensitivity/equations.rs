@@ -14,7 +14,7 @@ pub(crate) struct Equations<F> {
     pub(crate) coefficients: Coefficients<F>,
     pub(crate) changes: [Coefficients<F>; RATIOS],
     /// Number of columns that are computed; the others are 0.
-    pub(crate) columns: usize,
+    pub(crate) column_count: usize,
 }
 
 /// Accelerations of a state, and what the equations of its changes share.
@@ -131,16 +131,15 @@ impl Equations<f64> {
     /// Equations of a top. The last four columns belong to the ratios.
     pub(crate) fn new(top: &Top) -> Self {
         let coefficients = Coefficients::new(top);
-        Self { coefficients, changes: coefficients.by_ratios(top.support()), columns: COLUMNS }
+        Self { coefficients, changes: coefficients.by_ratios(top.support()), column_count: COLUMNS }
     }
 
     /// Equations in the scalar of a computation.
     pub(crate) fn cast<F: Float>(&self) -> Equations<F> {
-        let Self { coefficients, changes, columns } = self;
         Equations {
-            coefficients: coefficients.cast(),
-            changes: changes.map(|by| by.cast()),
-            columns: *columns,
+            coefficients: self.coefficients.cast(),
+            changes: self.changes.map(|by| by.cast()),
+            column_count: self.column_count,
         }
     }
 

@@ -23,7 +23,9 @@ impl<F: Float> Partials<F> {
         mut image: impl FnMut(&Tangent<F>, Option<&Coefficients<F>>) -> Vector<F>,
     ) -> [Vector<F>; COLUMNS] {
         core::array::from_fn(|column| match self.tangents.get(column) {
-            Some(tangent) if column < self.equations.columns => image(tangent, self.equations.change(column)),
+            Some(tangent) if column < self.equations.column_count => {
+                image(tangent, self.equations.change(column))
+            }
             _ => [F::ZERO; 3],
         })
     }

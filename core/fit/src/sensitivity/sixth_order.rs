@@ -29,7 +29,7 @@ impl<F: Float> Equations<F> {
             if let Some((rate, tangent_rates)) = rates.get_mut(index) {
                 let at = Acceleration::new(&self.coefficients, state);
                 *rate = at.rate;
-                let slots = tangent_rates.iter_mut().zip(tangents.iter()).take(self.columns);
+                let slots = tangent_rates.iter_mut().zip(tangents.iter()).take(self.column_count);
                 for (column, (slot, tangent)) in slots.enumerate() {
                     *slot = self.tangent_rate(&at, tangent, self.change(column));
                 }
@@ -38,7 +38,7 @@ impl<F: Float> Equations<F> {
             for ((rate, rates), weight) in rates.iter().zip(*weights).filter(|(_, weight)| **weight != 0.0) {
                 let f = step * F::from_f64(*weight);
                 state.add(rate, f);
-                for (tangent, rate) in tangents.iter_mut().zip(rates).take(self.columns) {
+                for (tangent, rate) in tangents.iter_mut().zip(rates).take(self.column_count) {
                     *tangent = tangent.plus(rate, f);
                 }
             }

@@ -108,7 +108,7 @@ impl<F: Real> Trajectory<F> {
     fn move_node(&mut self) {
         let Node { time, state, tangents } = &mut self.node;
         let equations =
-            Equations { coefficients: self.coefficients, changes: Default::default(), columns: 0 };
+            Equations { coefficients: self.coefficients, changes: Default::default(), column_count: 0 };
         equations.step(state, &mut [], self.time - *time);
         (*tangents, *time) = (self.now.tangents, self.time);
     }
@@ -189,7 +189,7 @@ mod tests {
     fn worst<F: Real>(case: &Case) -> [f64; 2] {
         let (top, state) = launched(case);
         let motion = Motion::launch(&top, &state).unwrap();
-        let equations = Equations { columns: LAUNCH_COLUMNS, ..Equations::new(&top) };
+        let equations = Equations { column_count: LAUNCH_COLUMNS, ..Equations::new(&top) };
         let launch = BodyState::new(state.orientation(), state.omega());
         let mut trajectory = Trajectory::<F>::new(&launch, &equations, PASS_STEP);
         let mut sensitivity = Sensitivity::new(&motion);
