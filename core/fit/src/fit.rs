@@ -82,11 +82,14 @@ impl<'a, F: Real> Fit<'a, F> {
     }
 
     /// Sets the largest residual that counts quadratically, in standard deviations; larger ones count linearly (Huber). It is infinite for
-    /// least squares. The default is 3. A smaller number than 1, or NaN, counts as 1.
-    #[must_use]
-    pub fn with_huber(mut self, residual: f64) -> Self {
-        self.solver.huber = residual.max(1.0);
-        self
+    /// least squares. The default is 3.
+    ///
+    /// # Errors
+    /// `residual`: below 1, or NaN.
+    pub fn with_huber(mut self, residual: f64) -> Result<Self, ParameterError> {
+        check(residual >= 1.0, "residual", "a number from 1, or infinite")?;
+        self.solver.huber = residual;
+        Ok(self)
     }
 
     /// Adds three losses of rotation to the unknowns: about the axis, across it and about the vertical. At most one ratio may then

@@ -73,10 +73,8 @@ impl FitInput {
 /// [`Failure::input`] of `free`, `huber`, `drift` or `samples`.
 pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitResult, Failure> {
     let ratios = input.ratios().map_err(|reason| Failure::input(reason).at("free"))?;
-    if input.huber.is_nan() || input.huber < 1.0 {
-        return Err(Failure::input("must be a number from 1, or inf").at("huber"));
-    }
     let refuse = |error: ParameterError| match error.parameter() {
+        "residual" => Failure::input("must be a number from 1, or inf").at("huber"),
         "deviation" => Failure::input("must be a positive number").at("drift"),
         "ratios" if input.drift.is_some() => {
             Failure::input("must be at most one name with a drift").at("free")
@@ -84,7 +82,8 @@ pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitRe
         _ => Failure::input(error.to_string()).at("samples"),
     };
     let listed = input.sensors.as_sensors();
-    let mut fit = Fit::new(&input.top, &listed, &ratios).map_err(refuse)?.with_huber(input.huber);
+    let fit = Fit::new(&input.top, &listed, &ratios).and_then(|fit| fit.with_huber(input.huber));
+    let mut fit = fit.map_err(refuse)?;
     if let Some(deviation) = input.drift {
         fit = fit.with_losses(deviation).map_err(refuse)?;
     }

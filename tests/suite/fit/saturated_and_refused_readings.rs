@@ -132,3 +132,12 @@ fn a_ratio_without_a_direction_or_with_a_wrong_deviation_is_refused() {
         assert_eq!(refused, expected, "{wrong:?}");
     }
 }
+
+#[test]
+fn a_limit_of_residuals_below_their_deviation_is_refused() {
+    for residual in [0.9, -1.0, f64::NAN] {
+        let refused = refusal(Fit::new(&toy(), &SENSORS, &[]).unwrap().with_huber(residual));
+        assert_eq!(refused, "residual: must be a number from 1, or infinite", "{residual}");
+    }
+    assert!(Fit::new(&toy(), &SENSORS, &[]).unwrap().with_huber(f64::INFINITY).is_ok());
+}
