@@ -90,7 +90,7 @@ pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitRe
     let fitted = fit.run(measurements.iter().copied()).map_err(refuse)?;
     let reason = fitted.warning.map(|reason| match reason {
         // the sensors that the core asks for exist, so that its advice would mislead
-        FitWarning::NoBeginning if has_beginning(&input.sensors, measurements) => {
+        FitWarning::NoFirstGuess if has_direction(&input.sensors, measurements) => {
             "no start fits the samples: are they of another top?".to_owned()
         }
         reason => reason.to_string(),
@@ -101,7 +101,7 @@ pub fn fit_launch(input: FitInput, measurements: &[Measurement]) -> Result<FitRe
 }
 
 /// Whether the first measurements contain an orientation or a direction.
-fn has_beginning(sensors: &Sensors, measurements: &[Measurement]) -> bool {
+fn has_direction(sensors: &Sensors, measurements: &[Measurement]) -> bool {
     const FIRST: usize = 64;
     measurements.iter().take(FIRST).any(|Measurement { sensor, values, .. }| {
         let hint = sensors.models.get(*sensor).map(|model| model.sensor.hint(values));

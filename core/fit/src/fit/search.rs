@@ -20,7 +20,7 @@ impl<F: Real> Solver<F> {
         if block.measurements().filter(|one| one.time > first).take(2).count() < 2 {
             return Err(FitWarning::TooFew);
         }
-        let guesses = guesses(block, self.model.top.tip_scale()).ok_or(FitWarning::NoBeginning)?;
+        let guesses = guesses(block, self.model.top.tip_scale()).ok_or(FitWarning::NoFirstGuess)?;
         let first = FIRST_READINGS * block.sensors.len();
         let other_launch_count = self.try_guesses(block, guesses, first);
         let parts = core::iter::successors(Some(first), |count| count.checked_mul(PART_FACTOR));

@@ -21,7 +21,7 @@ pub enum FitWarning {
     /// The top is upright, and no measurement determines its rate about the axis.
     SpinUnknown,
     /// The measurements contain neither two orientations or directions, nor rates within the range.
-    NoBeginning,
+    NoFirstGuess,
 }
 
 impl fmt::Display for FitWarning {
@@ -34,7 +34,7 @@ impl fmt::Display for FitWarning {
             Self::AllSaturated => "every component is at the end of its range",
             Self::TooFew => "there are fewer observations than unknowns",
             Self::SpinUnknown => "the top stands upright, and nothing tells its rate about the axis",
-            Self::NoBeginning => {
+            Self::NoFirstGuess => {
                 "the measurements do not say where to begin: they need orientations, directions, or rates within the range"
             }
         })
