@@ -9,7 +9,7 @@ use toytop::{ParameterError, State};
 /// Unknown ratio of the top: a direction in the space of log A/C, log A/(ps) (A/p for a fixed tip), log s and log g.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeRatio {
-    /// Direction in that space. Its length is the change for which the unknown is 1.
+    /// Direction in that space. The unknown times the direction is the change of the four logarithms.
     pub direction: [f64; RATIOS],
     /// Prior standard deviation of the unknown; infinite where there is no prior information.
     pub deviation: f64,
@@ -75,7 +75,7 @@ impl Estimate {
         State::new(self.orientation.normalised(), self.omega)
     }
 
-    /// State of the launch, of any norm.
+    /// State of the launch. Its orientation is not normalised.
     pub(crate) fn body_state(&self) -> BodyState<f64> {
         BodyState::new(self.orientation, self.omega)
     }

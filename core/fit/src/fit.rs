@@ -1,8 +1,8 @@
 //! Fit of a launch to measurements:
 //!
 //! 1. Search (`search`): the first measurements give one or more guesses (`first_guess`). Each one is corrected on the first part of the
-//!    measurements, and the best one on longer and longer parts. A first guess of the caller, or the fit of the block before, takes the place
-//!    of the search.
+//!    measurements, and the best one on longer and longer parts. A first guess of the caller, or the fit of the block before, replaces
+//!    the search.
 //! 2. Solve (`solver`): a pass reads a part of the measurements and stores none of them. Then the launch is corrected, and the next pass
 //!    begins. The last passes read all measurements.
 //! 3. Check (`check`): the residuals are compared with the noise (`statistics`), and the launch with others that would fit as well.
@@ -60,7 +60,7 @@ pub struct Fit<'a, F = f64> {
 pub struct Tracked {
     /// Fit of the block.
     pub fitted: Fitted,
-    /// Rotation vector from the predicted to the fitted orientation, rad, by which a table jumps.
+    /// Rotation vector from the predicted to the fitted orientation, rad.
     pub jump: Vector<f64>,
     /// Mean rates of change of l, n and h between the two launches, per unit time.
     pub drift_rates: Vector<f64>,
@@ -146,9 +146,9 @@ impl<'a, F: Real> Fit<'a, F> {
         Ok(Fitted::new(solver, block.times, warning))
     }
 
-    /// Fits the next block of measurements from the fit of the last one, which is propagated to it with its covariance.
+    /// Fits the next block of measurements. The fit of the last block, propagated to the first measurement with its covariance, is the prior.
     ///
-    /// * `drift_deviation`: uncertainty that is added to ω between blocks, as a part of |ω| per unit time: 1/60 /s for a spin that may stop in
+    /// * `drift_deviation`: standard deviation of a change of ω between blocks, as a part of |ω| per unit time: 1/60 /s for a spin that may stop in
     ///   a minute
     ///
     /// # Errors
@@ -174,7 +174,7 @@ impl<'a, F: Real> Fit<'a, F> {
         let (predicted, at) = solver.model.predicted(&last.launch, span).ok_or(refused)?;
         let rows = last.covariance.rows().map(|row| {
             let mut row = propagated(&at.tangents, &row);
-            // the losses may be others now
+            // the losses may have changed: they get their own prior below
             solver
                 .model
                 .losses()

@@ -56,7 +56,7 @@ impl<F: Real> SquareRoot<F> {
         })
     }
 
-    /// Rows of a sum whose RᵀR is the inverse of this one: the columns of R⁻¹. A row is 0 for an unknown that no row has.
+    /// Columns of R⁻¹: rows of a sum whose matrix is the inverse of RᵀR. A column is 0 for an unknown without information.
     pub(crate) fn inverse_rows(&self) -> impl Iterator<Item = Unknowns<F>> {
         (0..MAX_UNKNOWNS).map(|index| self.solved(unit_row(index, F::ONE)))
     }
@@ -89,7 +89,7 @@ impl<F: Real> SquareRoot<F> {
         self.add(unit_row(index, factor), F::ZERO);
     }
 
-    /// Unknowns of the least sum; 0 where no row tells them.
+    /// Unknowns at which the sum is least; 0 for an unknown without information.
     pub(crate) fn solution(&self) -> Unknowns<F> {
         self.solved(self.right_side)
     }

@@ -9,7 +9,7 @@ use core::f64::consts::PI;
 /// Largest component of an angular velocity, rad/s.
 pub(super) const MAX_RATE: f64 = 1e12;
 
-/// Orientation and angular velocity at t = 0. The numbers are taken as exact.
+/// Orientation and angular velocity at t = 0. Numbers below 1e-60 in magnitude count as 0; the others are taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct State {
@@ -38,7 +38,7 @@ pub struct Release {
 impl State {
     /// State from the Cayley-Klein parameters and ω (rad/s) in the fixed frame.
     ///
-    /// Φ may differ from a unit norm by roundings: its squared norm by 1e-6. Components below 1e-60 count as 0.
+    /// Φ may differ from a unit norm by roundings: its squared norm by 1e-6.
     ///
     /// # Errors
     /// `alpha`, `beta`, `omega`: a component is not finite; `alpha`: the squared norm differs from 1 by more than 1e-6; `omega`: above 1e12 rad/s.

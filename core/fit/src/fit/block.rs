@@ -13,7 +13,7 @@ pub(super) struct Block<'a, F, M> {
     pub(super) total: usize,
     /// Times of the first and the last measurement.
     pub(super) times: [f64; 2],
-    /// Factor of the readings of rate gyroscopes.
+    /// Factor from the rates read to rad per unit time.
     rate_unit: f64,
 }
 
@@ -43,7 +43,7 @@ impl<'a, F, M: Measurements> Block<'a, F, M> {
         Self { rate_unit, measurements: self.measurements.clone(), ..*self }
     }
 
-    /// Measurements in the unit of the block.
+    /// Measurements, with rates in rad per unit time.
     pub(super) fn measurements(&self) -> impl Measurements {
         self.measurements.clone().map(|mut measurement| {
             if self.rate_unit != 1.0 && matches!(self.hint(&measurement), Hint::Rate { .. }) {

@@ -10,9 +10,9 @@
 //!    | axis | rate about it |
 //!    | rates alone | orientation |
 //!
-//! 3. The angular velocity is read. The mean of the orientations' changes takes the place of a rate that was not read, or about the axis is
-//!    beyond the range. A single direction has an orientation too: it shows how the body turns about its axis.
-//! 4. The orientation is turned back to the first measurement. Several guesses replace what is still open.
+//! 3. The angular velocity is read. The mean rate of the orientations replaces a missing rate, and an axial rate beyond the range.
+//!    A single direction gives an orientation too, whose changes show how the body turns about its axis.
+//! 4. The orientation is turned back to the first measurement. Several guesses are made of what is still open.
 
 use crate::estimate::Estimate;
 use crate::fit::block::Block;

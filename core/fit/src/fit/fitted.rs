@@ -55,7 +55,7 @@ pub struct Fitted {
     pub launch_time: f64,
     /// Launch, biases and ratios.
     pub launch: Estimate,
-    /// Residuals of the last pass, before the last correction of the launch. `chi_squared` is the value expected after that correction.
+    /// Statistics of the best pass. Only `chi_squared` already includes the last correction of the launch.
     pub statistics: Statistics,
     /// Undetermined directions. Their standard deviation is unknown, and is given as 10 rad or 10 |ω|.
     pub unobservable: Unobservable,
@@ -118,7 +118,7 @@ impl Fitted {
     /// Top of the fit, with the fitted ratios.
     ///
     /// # Errors
-    /// The errors of [`Top::sliding`].
+    /// The errors of [`Top::sliding`], [`Top::fixed`] or [`Top::free`], by the support.
     pub fn top(&self) -> Result<Top, ParameterError> {
         self.model.top_of(&self.launch)
     }
@@ -131,7 +131,7 @@ impl Fitted {
         self.model.motion(&self.launch)
     }
 
-    /// Derivatives of the fitted motion from the launch on, with errors below 1e-9 of the largest of a column. With losses the motion includes
+    /// Derivatives of the fitted motion from the launch on, with errors below 1e-9 of the largest value of a column. With losses the motion includes
     /// the losses, and the measurements are at t <= 0.
     ///
     /// # Errors
@@ -211,9 +211,11 @@ impl Fitted {
 
 /// Directions of the launch that the measurements do not determine to one unit.
 ///
-/// With the covariance C in these units, the trace of 1 - (1 + C)⁻¹ counts the directions with a variance far above 1.
-/// A named direction d is undetermined if its information d (ε² + C)⁻¹ d is below 1, for a small ε: at a small tilt, yaw and roll are nearly the
-/// same rotation.
+/// Let C be the covariance in these units. A direction of variance c counts as c/(1 + c): nearly 0 if it is well determined, nearly 1 if not.
+/// The number of undetermined directions is the sum, the trace of 1 - (1 + C)⁻¹.
+///
+/// A named direction d is undetermined if d (ε² + C)⁻¹ d < |d|², for the C of the launch. The small ε makes a direction undetermined that is
+/// at an angle below ε from an undetermined one, as yaw and roll are from each other at a small tilt.
 #[inline(never)] // stack
 fn unobservable(fitted: &Fitted) -> Unobservable {
     let Fitted { launch, unknown_count: count, model, .. } = fitted;

@@ -1,9 +1,8 @@
 //! Numbers of the search, the solver and the check, and the reason of each.
 
-/// Number of readings of an orientation or a direction in the first part: more than noise needs, and fewer than a phase needs to be wrong
-/// by a turn.
+/// Number of readings of an orientation or a direction in the first part: enough to average noise, and too few for a phase to slip by a turn.
 pub(super) const FIRST_READINGS: usize = 16;
-/// Largest number of readings that are searched for them.
+/// Largest number of readings among which these are looked for.
 pub(super) const MAX_READINGS: usize = 1024;
 /// Length of a part of the measurements over that of the part before. The error of a rate that was found on a part is small enough for one
 /// that is four times as long.
@@ -14,21 +13,24 @@ pub(super) const GUESSES: u32 = 12;
 pub(super) const TILTS: [f64; 5] = [0.25, 0.75, 1.3, 2.0, 2.7];
 /// Least rate of a saturated axis over its reading. Bias and mounting may shift the reading, so that it is below 1.
 pub(super) const RANGE_FRACTION: f64 = 0.9;
-/// Difference of the sums of squares of two launches that chance explains: twice that between the best of 100 random spins and the true one.
+/// Largest difference of the sums of squares of two launches that chance explains. The best of 100 random spins may have a sum 20 below that of
+/// the true one; this is twice as much.
 pub(super) const CHANCE_COST: f64 = 40.0;
-/// Sine of an angle that is called small: a tilt that is compared with none, and a direction close to an undetermined one.
+/// Sine of the largest small angle: between the axis of a top that may be upright and the vertical, and between a direction and an
+/// undetermined one.
 pub(super) const SMALL_ANGLE_SINE: f64 = 0.1;
 
 /// Size of the next correction, in standard deviations, and rise of the sum of squares, that need no further pass. The error of the
 /// integration causes such a rise.
 pub(super) const CONVERGED: f64 = 0.05;
-/// Size of the next correction on a part of the measurements: the standard deviations of the next part are at most half as large.
+/// Size of the next correction that needs no further pass over a part of the measurements, in standard deviations. Those of the next part
+/// are at most half as large.
 pub(super) const PART_CONVERGED: f64 = 0.5;
 /// Damping of the first correction, as a part of the information, and least damping after a pass that is no better.
 pub(super) const FIRST_DAMPING: f64 = 1e-3;
 /// Largest number of passes over one part of the measurements.
 pub(super) const MAX_PASSES: u32 = 20;
-/// Standard deviation of an unknown that the measurements leave open, in its unit: more than one, and so few that an inverse in `f32` keeps
+/// Standard deviation of an unknown that the measurements leave open, in its unit: above 1, and so small that an inverse in `f32` keeps
 /// its digits.
 pub(super) const OPEN_DEVIATION: f64 = 10.0;
 
@@ -43,7 +45,7 @@ pub(super) const FEW_OUTLIERS: u32 = 3;
 pub(super) const MISFIT_SIGMA: f64 = 5.0;
 /// Largest sum of squares of the differences from prior values. A fit has at most 16 of them: mean 16, standard deviation 6.
 pub(super) const MAX_PRIOR: f64 = 60.0;
-/// Least mean square of residuals of rates that are read as degrees: the noise given may be twice too large.
+/// Least mean square of the residuals, with rates read as degrees, that noise explains: the noise given may be twice too large.
 pub(super) const MIN_NOISE: f64 = 0.25;
-/// Largest rate at rest, per unit time: a bias explains it.
+/// Largest reading of a rate at rest, rad per unit time: a bias explains it.
 pub(super) const MAX_RATE_AT_REST: f64 = 0.1;

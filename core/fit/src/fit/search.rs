@@ -12,7 +12,7 @@ use toytop::su2::Orientation;
 
 impl<F: Real> Solver<F> {
     /// Finds an estimate that is good enough for passes over all measurements. Returns the number of other launches that fit the first
-    /// ones equally well, or the reason why there is no guess.
+    /// measurements equally well, or the reason why there is no guess.
     #[inline(never)] // stack
     pub(super) fn search(&mut self, block: &Block<F, impl Measurements>) -> Result<usize, FitWarning> {
         let [first, _] = block.times;
@@ -30,8 +30,8 @@ impl<F: Real> Solver<F> {
         Ok(other_launch_count)
     }
 
-    /// Begins from the best of the guesses, on the first two parts, where no phase can have an error of a turn. Returns the number
-    /// of other launches that fit as well.
+    /// Corrects each guess on the first two parts, where no phase can be wrong by a turn, and begins from the best. Returns the
+    /// number of other launches that fit as well.
     ///
     /// * `first`: number of measurements of the first part
     #[inline(never)] // stack

@@ -9,7 +9,7 @@ pub(crate) const RATIOS: usize = 4;
 /// Number of losses.
 pub(crate) const LOSS_COUNT: usize = 3;
 
-/// Coefficients of the equations of motion, or a change of them.
+/// Coefficients of the equations of motion. A change of them has the same type.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Coefficients<F = f64> {
     /// Ratio C/A.

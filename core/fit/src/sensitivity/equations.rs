@@ -17,7 +17,7 @@ pub(crate) struct Equations<F> {
     pub(crate) column_count: usize,
 }
 
-/// Accelerations of a state, and what the equations of its changes share.
+/// Accelerations of a state, and the quantities that the equations of its changes share.
 pub(crate) struct Acceleration<F> {
     state: BodyState<F>,
     axis: Vector<F>,

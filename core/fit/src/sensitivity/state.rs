@@ -9,7 +9,7 @@ pub(crate) const LAUNCH_COLUMNS: usize = 6;
 /// Number of columns: six of the launch, and four of ratios or losses.
 pub(crate) const COLUMNS: usize = 10;
 
-/// Orientation and angular velocity of a body; or their rates.
+/// Orientation and angular velocity of a body. Their rates of change have the same type.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct BodyState<F> {
     pub(crate) orientation: Orientation<F>,
