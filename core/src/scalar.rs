@@ -6,7 +6,7 @@
 //! |---|---|---|---|---|
 //! | [`Ring`] | `+ - *`, order, 0 and 1 | yes | yes | yes |
 //! | [`Float`] | division, square root, conversion: what launch and *set-up* need | yes | yes | no |
-//! | [`Real`] | sine, cosine, arctangent and exponential: what a *stepper* and a fit need | yes | no | no |
+//! | [`Real`] | sine, cosine, arctangent and exponential: what a *stepper* and a fit need; the type of a table's lengths and rates | yes | no | no |
 
 mod wide;
 

@@ -12,8 +12,8 @@ TOYTOP_CURSOR_SIZE = 64;
 
 /// Phases of consecutive ticks of one table, which an interrupt keeps. It may be copied.
 ///
-/// A cursor belongs to the table that made it, and must be made again after a set-up. Another table refuses it, and so does its own table after the next
-/// set-up. The count of set-ups repeats after 65 536.
+/// Make the cursor again after each set-up of its table: an older cursor, and one of another table, is refused. The count of set-ups repeats after
+/// 65 536.
 toytop_cursor[8]
 }
 

@@ -57,8 +57,8 @@ struct Solution {
 }
 
 impl EllipticNutation {
-    /// Tolerance for the difference of e₃ and e₄, because √(1 + A/(ps)) is rarely an `f64`. It is relative to e₃ - 1
-    /// and e₃ - e₂, which determine the motion, and not to e₄.
+    /// Tolerance for the difference of e₃ and e₄, because √(1 + A/(ps)) is rarely an `f64`. It is relative to e₄² - 1
+    /// and e₃ - e₂, which determine the motion.
     pub const TOLERANCE: f64 = 4.0 * f64::EPSILON;
 
     /// Closed form of a motion; `None` unless u oscillates, e₁ < e₂ < e₃, and the tip is held, or slides and e₃ = e₄ to

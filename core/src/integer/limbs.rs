@@ -41,7 +41,7 @@ impl Limbs {
             + ((mixed + half) >> (SHIFT - LIMB_BITS))
     }
 
-    /// Sum of up to sixteen products, rounded down to upper · 2^60 + lower · 2^30, with lower in [0, 2^30).
+    /// Sum of up to sixteen products of numbers below 2^58, rounded down to upper · 2^60 + lower · 2^30, with lower in [0, 2^30).
     #[inline(always)]
     pub(crate) fn sum_of_products<'a>(factors: impl Iterator<Item = (&'a Self, &'a Self)>) -> (i64, u32) {
         let mut upper = 0;

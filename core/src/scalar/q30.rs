@@ -1,4 +1,4 @@
-//! Fixed point of 32 bits, in which a tick in `f32` and in fixed point computes.
+//! Fixed point of 32 bits, in which a tick in `f32` and in `I2F30` computes.
 
 use crate::integer::high_product;
 use crate::scalar::{Ring, sealed::Sealed};

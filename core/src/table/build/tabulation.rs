@@ -9,7 +9,8 @@
 //!
 //! A span has whole cells, or a cell has several spans of one length. All segments of a cell have one length, and none crosses the end of a span.
 //! If a span or the segments of a cell are not accurate, half their length is tried. After a success twice the length is tried: for segments at the
-//! next cell, for spans where a span of twice the length may begin. A cell of several spans is tried again from its first span; a longer span remains.
+//! next cell, for spans where a span of twice the length may begin. If a cell of several spans fails, it begins again at its first span. A
+//! span longer than a cell is kept.
 
 use crate::table::build::interval::{Interval, SHORTEST_SEGMENTS};
 use crate::table::build::path::{MIN_SPAN_DEPTH, Path};

@@ -41,8 +41,8 @@ pub type TableQ15 = SizedTable<fixed::types::I2F14, 16>;
 
 /// Stated bound on an error: `constant` plus `per_tick` for each tick from the launch.
 ///
-/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). For orientations in `f32` and fixed point the roundings of a tick are proved. Those of `f64`, of
-/// rates and of a set-up are counted. Truncation errors of series and the roundings of their steps are estimated. See [the error bound](crate::error_bound).
+/// The error of an orientation is 2 √(|Δα|² + |Δβ|²). Proved: the roundings of a tick in `f32` and fixed point.
+/// Counted: those of `f64`, of rates and of a set-up. Estimated: truncation errors of series, and the roundings of their steps. See [the error bound](crate::error_bound).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct ErrorBound {

@@ -60,8 +60,8 @@ impl Coefficient for i32 {
     type Accumulator = Self;
     type Component = Q30;
 
-    /// Coefficient in units of 2^-(31 + power). It has half a unit more, because the product added to it is rounded down. The constant has none: on
-    /// the falling half, where its complement is taken, it would count as half a unit less.
+    /// Coefficient in units of 2^-(31 + power). Half a unit is added, because the product that Horner's rule adds is rounded down;
+    /// not to the constant, of which the falling half takes the complement.
     fn nearest(value: i64, power: usize) -> Self {
         let dropped = TABLE_BITS - 31 - power as u32;
         if power == 0 {

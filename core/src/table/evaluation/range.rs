@@ -1,5 +1,5 @@
-//! Ranges of the numbers of a table, within which no integer of a tick overflows; only the tip's velocity may become infinite. A table that a set-up
-//! makes is within them for s up to 5e29 m in `f32` and fixed point, and up to 5e59 m in `f64`.
+//! Ranges of the numbers of a table, within which no integer of a tick overflows. A table that a set-up makes is within them for s up to 5e29 m in
+//! `f32` and fixed point, and up to 5e59 m in `f64`.
 
 /// Largest rate, length or coefficient in `f64`. Products of three such numbers and of powers of two stay finite.
 pub(in crate::table) const MAX_F64: f64 = 1e60;
