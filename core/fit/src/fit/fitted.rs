@@ -101,7 +101,8 @@ impl Fitted {
         fitted
     }
 
-    /// Whether the launch may be trusted.
+    /// Whether the fit has no warning. Other launches may still explain the readings as well (`other_launch_count`), or some of its directions
+    /// be undetermined (`unobservable`).
     #[must_use]
     pub fn is_trusted(&self) -> bool {
         self.warning.is_none()
