@@ -118,10 +118,9 @@ impl<'a, F: Real> Fit<'a, F> {
         let solver = &mut self.solver;
         let block = Block::new(self.sensors, measurements)?;
         solver.reset_prior();
-        let found = solver.search(&block);
-        let warning = found.map_or_else(Some, |_| solver.converge_and_check(&block));
+        let (warning, other_launch_count) = solver.search_and_check(&block);
         let mut fitted = Fitted::new(solver, block.times, warning);
-        fitted.other_launch_count = found.unwrap_or(0);
+        fitted.other_launch_count = other_launch_count;
         if matches!(fitted.warning, Some(FitWarning::Misfit | FitWarning::NotConverged)) {
             let cause = solver.diagnose_misfit(&block, fitted.statistics.chi_squared);
             fitted.warning = cause.or(fitted.warning);

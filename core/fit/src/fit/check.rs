@@ -68,8 +68,7 @@ impl<F: Real> Solver<F> {
         block: &Block<F, impl Measurements>,
         chi_squared: f64,
     ) -> Option<FitWarning> {
-        let in_degrees = block.in_degrees();
-        let warning = self.search(&in_degrees).map_or_else(Some, |_| self.converge_and_check(&in_degrees));
+        let (warning, _) = self.search_and_check(&block.in_degrees());
         // smaller numbers have smaller residuals, whatever the motion is
         let statistics = &self.best.statistics;
         let has_noise = statistics.chi_squared > MIN_NOISE * f64::from(statistics.used);

@@ -11,10 +11,22 @@ use toytop::scalar::Real;
 use toytop::su2::Orientation;
 
 impl<F: Real> Solver<F> {
+    /// Searches for a launch, and checks it. Returns the reason not to trust the estimate, and the number of other launches that fit the first
+    /// measurements equally well.
+    pub(super) fn search_and_check(
+        &mut self,
+        block: &Block<F, impl Measurements>,
+    ) -> (Option<FitWarning>, usize) {
+        match self.search(block) {
+            Ok(other_launch_count) => (self.converge_and_check(block), other_launch_count),
+            Err(warning) => (Some(warning), 0),
+        }
+    }
+
     /// Finds an estimate that is good enough for passes over all measurements. Returns the number of other launches that fit the first
     /// measurements equally well, or the reason why there is no guess.
     #[inline(never)] // stack
-    pub(super) fn search(&mut self, block: &Block<F, impl Measurements>) -> Result<usize, FitWarning> {
+    fn search(&mut self, block: &Block<F, impl Measurements>) -> Result<usize, FitWarning> {
         let [first, _] = block.times;
         self.start_from(&Estimate::new(Orientation::IDENTITY, [0.0; 3]));
         if block.measurements().filter(|one| one.time > first).take(2).count() < 2 {
