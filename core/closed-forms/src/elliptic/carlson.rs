@@ -1,5 +1,6 @@
 //! Carlson's symmetric integral of the first kind, and the arithmetic-geometric mean.
 
+use crate::elliptic::elementary::half_pi;
 use toytop::scalar::Float;
 
 /// Carlson's R_F(x, y, z) = ½ ∫₀^∞ dt / √((t + x)(t + y)(t + z)), for x, y, z >= 0 of which at most one is 0; other arguments
@@ -58,7 +59,7 @@ pub(crate) fn first_kind_per_length<F: Float>(upper: [F; 3], lower: [F; 3]) -> F
 /// Arithmetic-geometric mean of x and y: the common limit of their arithmetic and geometric means, for x, y > 0; 0
 /// where one of them is 0.
 ///
-/// Relative error: a few roundings of the number type, also in extended precision. Cost: two values of [`carlson_rf`].
+/// Relative error: a few roundings of the number type, also in extended precision. Cost: one value of [`carlson_rf`].
 ///
 /// ```
 /// let quarter_period = core::f64::consts::FRAC_PI_2 / toytop_closed_forms::elliptic::agm(1.0, 0.5_f64.sqrt()); // K at m = 1/2
@@ -71,9 +72,8 @@ pub fn agm<F: Float>(x: F, y: F) -> F {
     }
     // R_F(0, x², y²) = π/2 / agm(x, y); x² and y² could overflow, but not the quotients of the means after one step
     let [arithmetic, geometric] = [(x + y).halved(), x.sqrt() * y.sqrt()];
-    let [half_pi, of_means] = [[F::ONE; 2], [arithmetic / geometric, geometric / arithmetic]]
-        .map(|[x, y]| carlson_rf(F::ZERO, x, y));
-    arithmetic.sqrt() * geometric.sqrt() * half_pi / of_means
+    let of_means = carlson_rf(F::ZERO, arithmetic / geometric, geometric / arithmetic);
+    arithmetic.sqrt() * geometric.sqrt() * F::from_extended(half_pi()) / of_means
 }
 
 #[cfg(test)]
