@@ -117,8 +117,10 @@ impl Motion {
 
     /// Variable v = asinh(tan χ) at t = 0 of an aperiodic motion, which has χ = gd v; `None` for another motion.
     pub(crate) fn aperiodic_v(&self) -> Option<f64> {
-        let Complex { re: cosine, im: sine } = self.cis_chi();
-        (self.regime == Regime::Aperiodic).then(|| libm::asinh(sine / cosine))
+        (self.regime == Regime::Aperiodic).then(|| {
+            let Complex { re: cosine, im: sine } = self.cis_chi();
+            libm::asinh(sine / cosine)
+        })
     }
 
     /// Tip angle at t = 0, in (-1/2, 1/2] turn.
